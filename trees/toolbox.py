@@ -22,8 +22,7 @@ from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle
 from robots.interface.gripper_reading import GripperReading
 from robots.interface.sensed_state import SensedState
-from robots.perception.detector import Detector
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from executive.checks.run_apart import carried_out_apart
 from executive.config import leave_opengl_to_the_renderer
 from executive.dialogue.attendant import Nobody
-from executive.dialogue.settle_words import settled
+from executive.dialogue.settle_words import settled, without_skill
 from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand, wording
 from executive.references import references
@@ -18,7 +18,6 @@ from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.scripts.task_script import script_for
 from executive.session.task_result import TaskResult, chain
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
-from executive.understanding.known_skills import without_skill
 from executive.understanding.statement import Statement
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.any_request import PlanRequest

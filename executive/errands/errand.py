@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
-from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion
+from executive.dialogue.settle_words import without_skill
 from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
 from executive.errands.impossible import impossible
@@ -29,7 +29,6 @@ from executive.session.events import TaskRefused
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.trust import OnQuestion
-from executive.understanding.known_skills import without_skill
 from executive.understanding.provenance import Provenance
 from trees.beliefs.grounding.grounding import exactly
 from trees.beliefs.grounding.regions import START
@@ -51,7 +50,7 @@ Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 
 
 class Errand:
-    """One statement's commands on their way.
+    """Carries out the commands of one statement in order, a tick at a time.
 
     Args:
         session: Carries out single tasks.
@@ -201,7 +200,7 @@ class Errand:
         times, attempts = TaskTimes(), 0
         command = self._beliefs.with_other_furniture_named(command)
         while True:
-            result = yield from _silent(self._session.task_steps(command, self._timeout_s))
+            result = yield from self._session.task_steps(command, self._timeout_s)
             times, attempts = _sum(times, result.times), attempts + result.attempts
             result = replace(result, times=times, attempts=attempts)
             if result.outcome != "question" or result.failure is None:
@@ -215,7 +214,7 @@ class Errand:
                 return replace(result, outcome="cancelled", failure=answered)
             command = answered
             if (walk := self._walk_there(command, result.failure)) is not None:
-                walked = yield from _silent(self._session.task_steps(walk, self._timeout_s))
+                walked = yield from self._session.task_steps(walk, self._timeout_s)
                 times = _sum(times, walked.times)
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
@@ -285,35 +284,6 @@ def _is_far(place: Destination | Thing | None, known: Known) -> bool:
     if not isinstance(place, ObjectDescription) or place.kind is None:
         return False
     return not known.is_near(Nearness(place))
-
-
-def drive(steps: Steps, attendant: Attendant, session: Session) -> tuple[TaskResult, ...]:
-    """Let an errand go on to its end, with somebody who answers its questions and may stop it."""
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            results: tuple[TaskResult, ...] = end.value
-            return results
-        answer = None
-        if question is None:
-            attendant.attend(session)
-        else:
-            answer = attendant.answer(question)
-
-
-def _silent(
-    steps: Generator[None, None, TaskResult],
-) -> Generator[OpenQuestion | None, str | None, TaskResult]:
-    """Pass ticks on; what is sent in between is for nobody."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            result: TaskResult = end.value
-            return result
-        yield None
 
 
 def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.errands.away_from_start import is_away
-from executive.errands.nearness import Nearness, is_near
+from executive.errands.nearness import Nearness, is_away, is_near
 from executive.errands.other_furniture import named_other, with_other_furniture_named
 from executive.errands.unsaid_steps import Known
 from executive.meaning import Command
@@ -23,7 +22,7 @@ from trees.toolbox import Toolbox
 
 
 class ErrandBeliefs:
-    """Reads a toolbox's world model each time it is asked."""
+    """What an errand believes of the world, read from the toolbox's world model each time it is asked."""
 
     def __init__(self, toolbox: Toolbox) -> None:
         self._toolbox = toolbox

@@ -14,8 +14,7 @@ import itertools
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from executive.errands.away_from_start import leads_away
-from executive.errands.nearness import Nearness
+from executive.errands.nearness import Nearness, leads_away
 from executive.meaning import Command
 from robots.scenes.articulated import DRAWER
 from robots.scenes.furniture import FURNITURE_KINDS
@@ -49,7 +48,7 @@ _SEE_WHO = {SPEAKER: "see who speaks", IN_FRONT: "see who is in front"}
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """One task of an errand.
+    """One task of an errand: a command that was said, or a step that nobody said but that one needs.
 
     Attributes:
         command: What to do.

@@ -97,7 +97,7 @@ class MotionVerdict:
 
 @dataclass(frozen=True, slots=True)
 class CheckReport:
-    """The whole answer.
+    """Everything that ``executive check`` tells of a sentence or a stored trajectory.
 
     Attributes:
         input: The file or the sentence.

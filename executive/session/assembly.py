@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from executive.session.event_hub import EventHub
-from executive.session.events import Event, EventSink
+from executive.session.controlled_robot import ControlledRobot, session_on
+from executive.session.events import EventHub, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
@@ -26,10 +26,7 @@ from robots.seeded import seeded
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
-from trees.events import Offered
 from trees.policy import TreePolicy
-from trees.toolbox import Toolbox
-from trees.world_model import WorldModel
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,44 +98,35 @@ def assemble(
     clock = ManualClock()
     world = build_world(description, scene, chance.world)
 
-    def watched(event: Event) -> None:
-        if isinstance(event, Offered):
-            world.people.see_offer(event.to)
-
-    sink.listen(watched)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
 
     planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=on_judged)
-    toolbox = Toolbox(
-        clock=clock,
+    robot_here = ControlledRobot(
         model=model,
+        clock=clock,
+        periods=loop,
+        guard=loop,
+        pausing=loop,
         motion=loop.motion,
-        sensing=loop.sensing,
         grippers=loop.grippers,
-        detector=perception,
-        planning=planning,
-        world=WorldModel(),
-        events=sink,
-        rng=chance.trees,
-        policy=policy or TreePolicy(),
         walking=loop.walking,
-        ranging=world.ranging,
         yielding=loop.yielding,
-        places=place_map(scene, chance.places),
+        detector=perception,
+        ranging=world.ranging,
+        planning=planning,
+        see_offer=world.people.see_offer,
     )
-    supervisor = Supervisor(loop, clock, sink)
-    session = Session(
-        toolbox,
-        loop,
-        planning,
+    session, supervisor = session_on(
+        robot_here,
         sink,
+        chance,
+        place_map(scene, chance.places),
+        policy=policy,
+        build=build,
         tick_sensors=perception.tick,
         on_period=on_period,
         on_tick=on_tick,
-        build=build,
-        supervisor=supervisor,
-        pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
 

@@ -50,7 +50,7 @@ Whole = Annotated[int, Field(ge=1, le=MAX_COUNT)]
 
 
 class Strict(BaseModel):
-    """Nothing is converted, nothing extra is let in, and no number is NaN or infinite."""
+    """Base of a model's structured output: nothing is converted or added, every number is finite."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
 

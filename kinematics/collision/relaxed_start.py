@@ -16,7 +16,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.concessions import Concession, ConcessionReason, touching

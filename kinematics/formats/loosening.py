@@ -15,7 +15,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Shape
 from kinematics.model.robot_model import RobotModel

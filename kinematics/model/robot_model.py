@@ -84,6 +84,13 @@ class RobotModel:
                 links.setdefault(str(self.pin.names[frame.parentJoint]), str(frame.name))
         return links
 
+    @cached_property
+    def free_joints(self) -> tuple[str, ...]:
+        """Joints that are in no leg, in the model's order: what a robot that stands moves freely."""
+        groups = self.description.groups
+        in_legs = {joint for name, members in groups.items() if name.endswith("_leg") for joint in members}
+        return tuple(joint for joint in self.joints if joint not in in_legs)
+
     def carrying(self, masses_kg: Mapping[Hand, float]) -> RobotModel:
         """The same robot with point masses at its TCPs: its CoM, its mass and its dynamics are those of both.
 

@@ -15,9 +15,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.ik.arm_frames import ArmFrames, arm_kinematics
+from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, beside_ray_m
 from kinematics.ik.arm_posture import arm_posture
-from kinematics.ik.pointing import beside_ray_m
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.planning.gesture_task import ENOUGH, STARTS, GestureTask, Wish

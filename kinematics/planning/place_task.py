@@ -14,8 +14,8 @@ from kinematics.collision.relaxed_start import relaxed_at, start_concessions
 from kinematics.collision.validity import hand_judge, validity
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.gaze import gaze_joints
-from kinematics.ik.pointing import link_moved_by
 from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult
 from kinematics.ik.solver import LINE_RESERVE_RAD, along_line, inverse_kinematics
 from kinematics.model.robot_description import Hand

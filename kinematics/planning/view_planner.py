@@ -16,9 +16,8 @@ from kinematics.arrays import Array
 from kinematics.collision.relaxed_start import relaxed_at, start_concessions
 from kinematics.collision.validity import validity
 from kinematics.geometry import poses
-from kinematics.ik.gaze import gaze_joints
-from kinematics.ik.picture import in_picture
-from kinematics.ik.pointing import elbow_frame
+from kinematics.ik.arm_frames import elbow_frame
+from kinematics.ik.gaze import gaze_joints, in_picture
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.lead_in import lead_in

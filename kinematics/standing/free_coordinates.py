@@ -45,9 +45,7 @@ class FreeCoordinates:
     def __init__(self, model: RobotModel, stance: Stance) -> None:
         self._model = model
         self._legs = LegIk(model, stance)
-        groups = model.description.groups
-        in_legs = {joint for name, members in groups.items() if name.endswith("_leg") for joint in members}
-        self.joints = tuple(joint for joint in model.joints if joint not in in_legs)
+        self.joints = model.free_joints
         self._columns = 7 + model.indices(self.joints)
         self._mount = model.q_home[:7] if model.description.welded else None
         self._stance = stance

@@ -10,18 +10,16 @@ from kinematics.model.stance_table import StanceTable
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.model.tree import Tree
 from kinematics.standing.flat_coordinates import Coordinates, Limits, joint_limits, plain_coordinates
-from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.leg_ik import LegIk
 from kinematics.standing.reserves import COM_RESERVE_M
 
 
 def _standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
     legs = LegIk(model, stance).geometry
-    space = free_coordinates(model, stance)
     return Coordinates(
         floating=1,
-        columns=(7 + model.indices(space.joints)).astype(np.int64),
-        bodies=np.array([model.pin.getJointId(joint) for joint in space.joints], np.int64),
+        columns=(7 + model.indices(model.free_joints)).astype(np.int64),
+        bodies=np.array([model.pin.getJointId(joint) for joint in model.free_joints], np.int64),
         leg_bodies=np.array([leg.joints for leg in legs], np.int64).reshape(-1, 6),
         hip=np.array([leg.hip_m for leg in legs]).reshape(-1, 3),
         bones=np.array([(leg.thigh_m, leg.shin_m) for leg in legs]).reshape(-1, 2),

@@ -14,7 +14,7 @@ from kinematics.errors import InvalidMotionError
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
-from kinematics.motion.tolerances import SETPOINT_FRACTION
+from kinematics.motion.verdict import SETPOINT_FRACTION
 from kinematics.standing.free_coordinates import FreeCoordinates
 
 _FASTEST_BRAKE_1_S2 = 40.0

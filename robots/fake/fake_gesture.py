@@ -21,7 +21,7 @@ _ROWS = 12
 
 
 class FakeGesture(GestureTask):
-    """The postures are true ones; no balance is kept, nothing is avoided, and each stretch takes 1 s."""
+    """Plans gestures for the fake robot: true postures, no balance, no obstacles, 1 s for each stretch."""
 
     def __init__(
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int

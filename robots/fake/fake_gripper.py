@@ -12,7 +12,7 @@ from robots.interface.gripper_reading import GripperReading, read_gripper
 
 
 class FakeGripper:
-    """Satisfies ``trees.toolbox.Gripper``.
+    """A gripper of the fake robot; satisfies ``trees.toolbox.Gripper``.
 
     Attributes:
         empty: While true, the fingers always miss.

@@ -50,7 +50,7 @@ _DAMPING = 1e-4
 
 
 class FakeJob:
-    """Satisfies ``trees.toolbox.Job``: its answer is there after a while on the clock."""
+    """A planning job of the fake robot; satisfies ``trees.toolbox.Job``, and is done after a while."""
 
     def __init__(self, answer: Callable[[], Any], clock: Clock, ready_s: float) -> None:
         """Promise an answer for a time."""
@@ -72,7 +72,7 @@ class FakeJob:
 
 
 class FakePlanning:
-    """Satisfies ``trees.toolbox.Planning``; ignores obstacles and limits.
+    """Plans for the fake robot; satisfies ``trees.toolbox.Planning``, and ignores obstacles and limits.
 
     Attributes:
         delay_s: Time that a job takes.

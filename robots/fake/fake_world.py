@@ -20,9 +20,8 @@ from robots.clock import ManualClock
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_planning import FakePlanning
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
-from robots.fake.fake_sensing import FakeSensing, Sense
+from robots.fake.fake_sensing import FakeRangeSensor, FakeSensing, Sense
 from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
@@ -38,7 +37,7 @@ SUPPORT_N_M = 3000.0
 
 
 class FakeWorld:
-    """Robot, world, camera and planner; ``step`` lets time pass.
+    """The fake robot with its world, camera and planner; ``step`` lets time pass.
 
     Attributes:
         model, clock, robot: As their names say.

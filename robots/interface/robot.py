@@ -66,7 +66,10 @@ class JointSetpoint(InFloat64):
 
 
 class Robot(Protocol):
-    """A body. Only the control loop holds one, and only the gate calls ``command``."""
+    """A robot's body: sensors to read, joints to command.
+
+    Only the control loop holds one, and only the gate calls ``command``.
+    """
 
     @property
     def description(self) -> RobotDescription:

@@ -6,8 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.errands.unsaid_steps import Known
+from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
 from trees.failures import Failure, Reason
@@ -58,15 +59,8 @@ class Here:
         return command
 
 
-class Nobody:
-    """Asks and stops nothing."""
-
-    def attend(self, _session):
-        pass
-
-
 def results_of(notes, sentence, beliefs=Here):
-    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs(notes)).steps(), Nobody(), notes)
+    return driven(Errand(notes, parse(sentence).commands, beliefs=beliefs(notes)).steps())
 
 
 def carried_out(notes, sentence, beliefs=Here):

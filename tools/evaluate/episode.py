@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from executive.runs.frozen_heap import frozen_heap
+from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import TaskResult, chain
 from executive.understanding.command_parser import parse

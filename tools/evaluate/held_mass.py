@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
-from executive.runs.frozen_heap import frozen_heap
+from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import chain
 from executive.understanding.command_parser import parse

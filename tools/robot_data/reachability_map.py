@@ -22,7 +22,7 @@ from kinematics.collision.validity import validity
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
-from kinematics.ik.pointing import link_moved_by
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.result import DEFAULT_TOLERANCE
 from kinematics.ik.solver import along_line, inverse_kinematics
 from kinematics.model.reachability import Cells, GridAxis, ReachabilityMap

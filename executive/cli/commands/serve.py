@@ -10,11 +10,12 @@ import typer
 from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
+    FolderOption,
     PolicyChoice,
     PolicyOption,
     not_empty,
+    whole_number_from,
 )
-from executive.cli.commands.numbers import whole_number_from
 from executive.config import (
     config_files,
     leave_opengl_to_the_renderer,
@@ -24,10 +25,6 @@ from executive.config import (
 )
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.trust import THRESHOLD, Trust
-
-FolderOption = Annotated[
-    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
-]
 
 _PACES = {"real": 1.0, "fast": 10.0}
 _SLOWEST, _FASTEST = 0.01, 10.0

@@ -18,7 +18,7 @@ from trees.world_model import WorldModel
 
 
 class Worker(Protocol):
-    """The planning process, or a double."""
+    """What answers planning requests: the planning process, or a double in tests."""
 
     def ask(self, question: object) -> Future[Any]:
         """Answer one request."""
@@ -30,7 +30,7 @@ class NotAdmittedError(LiveError):
 
 
 class LivePlanning:
-    """Satisfies ``trees.toolbox.Planning``.
+    """Plans for a served robot in a process of its own; satisfies ``trees.toolbox.Planning``.
 
     Attributes:
         wall_s: Wall time that answers took so far, for reports only.

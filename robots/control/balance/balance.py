@@ -17,7 +17,7 @@ _SHIFT_PERIODS = 100
 
 
 class Balance:
-    """Computes the efforts for each instant of the body's reference.
+    """Computes the joints' feed-forward efforts for each instant of the body's reference motion.
 
     Balance itself comes from planned motions that keep the CoM inside and from stiff joints; these
     efforts (weight and inertia, less what the ground carries) keep the joints from giving way. On

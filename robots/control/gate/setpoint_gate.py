@@ -8,7 +8,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.settings import DEFAULT_SETTINGS
-from kinematics.motion.tolerances import SETPOINT_FRACTION
+from kinematics.motion.verdict import SETPOINT_FRACTION
 from robots.clock import Clock
 from robots.control.gate.authority import HOLD, Authority
 from robots.control.gate.refusal import Limit, Refusal

@@ -14,7 +14,7 @@ from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import COM_RESERVE_M
 from robots.control.gate.refusal import Limit, Refusal
-from robots.control.guarded.body_motion import BodyMotion
+from robots.control.guarded.guarded_motion import BodyMotion
 
 _LEGS_RAD = 1e-3
 """Legs may be so far from where base and stance put them: more would move a sole by a millimetre."""

@@ -13,8 +13,7 @@ from kinematics.model.stance import Stance
 from robots.control.gate.authority import Authority
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.guarded.body_checker import BodyChecker
-from robots.control.guarded.body_motion import BodyMotion
-from robots.control.guarded.guarded_motion import GuardedMotion
+from robots.control.guarded.guarded_motion import BodyMotion, GuardedMotion
 from robots.control.guarded.guarded_track import GuardedTrack
 from robots.control.motion_handle import MotionHandle
 

@@ -11,7 +11,7 @@ from robots.control.streaming.motion_streamer import MotionStreamer
 
 
 class YieldingControl:
-    """Satisfies ``trees.toolbox.Yielding``."""
+    """Starts hands that lead and yield in this process; satisfies ``trees.toolbox.Yielding``."""
 
     def __init__(self, model: RobotModel, streamer: MotionStreamer) -> None:
         """Command through the streamer."""

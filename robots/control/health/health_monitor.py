@@ -21,7 +21,7 @@ _STAYS = frozenset({Ailment.STUCK, Ailment.WEAK, Ailment.OFFLINE, Ailment.ENCODE
 
 
 class HealthMonitor:
-    """Remembers what the judges found, from when it counts until it is over.
+    """Keeps the findings of the judges of health, each from when it is confirmed until it is over.
 
     Attributes:
         findings: What is wrong now.

@@ -43,7 +43,7 @@ came to rest, and gathers speed again."""
 
 
 class ControlLoop:
-    """The control loop; ``step`` is its unit, whoever calls it.
+    """The control loop of one robot; one call of ``step`` is one control period, whoever calls it.
 
     Attributes:
         model: The robot's.

@@ -22,7 +22,6 @@ from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.fitted_ankles import FittedAnkles
 from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
-from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
 from robots.interface.robot import RobotState
@@ -32,7 +31,7 @@ _AT_REST_PERIODS = 3
 
 
 class Walk:
-    """One walk, from rest to rest.
+    """One walk under way, from rest to rest.
 
     Attributes:
         pattern: What the feet do.
@@ -174,3 +173,37 @@ class Walk:
         """Learn where the plan is from the foot that stands."""
         side = sample.carrying[0]
         self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())
+
+
+_DURATION_S = 0.2
+
+
+class Rejoin:
+    """A difference of positions and velocities that fades away smoothly."""
+
+    def __init__(self, gap: Array, gap_speed: Array) -> None:
+        """Begin with a difference, shape (n,) each; its acceleration begins and ends with nothing."""
+        T = _DURATION_S
+        d, dv = -gap - gap_speed * T, -gap_speed
+        self._coefficients = (
+            gap,
+            gap_speed,
+            (10.0 * d - 4.0 * dv * T) / T**3,
+            (-15.0 * d + 7.0 * dv * T) / T**4,
+            (6.0 * d - 3.0 * dv * T) / T**5,
+        )
+        self._t_s = 0.0
+
+    @property
+    def over(self) -> bool:
+        """Whether nothing is left of it."""
+        return self._t_s >= _DURATION_S
+
+    def advance(self, period_s: float) -> tuple[Array, Array]:
+        """What is left of it after another period: positions and velocities."""
+        self._t_s += period_s
+        t = min(self._t_s, _DURATION_S)
+        x, v, c3, c4, c5 = self._coefficients
+        left = x + t * (v + t * t * (c3 + t * (c4 + t * c5)))
+        speed = v + t * t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5))
+        return left, speed

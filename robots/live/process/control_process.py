@@ -31,9 +31,8 @@ from robots.live.documents.robot_report import ReportLayout, RobotReport
 from robots.live.process.condition import moves
 from robots.live.process.control_server import ControlServer
 from robots.live.process.evaluation_server import EvaluationServer
-from robots.live.process.hold_back import HoldBack
+from robots.live.process.hold_back import HoldBack, processor_use
 from robots.live.process.pacer import Pacer
-from robots.live.process.processor_use import processor_use
 from robots.live.process.supervision import Supervision
 from robots.live.process.warming import warm_up
 from robots.live.wire.child_process import ChildProcess

@@ -14,9 +14,8 @@ from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec
 from robots.simulated.body.furniture_model import FurnitureForces
-from robots.simulated.body.geom_roles import Role
+from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
 from robots.simulated.body.scene_model import FLOOR, add_scene, joint_name
-from robots.simulated.body.scene_names import in_scene, in_simulator
 
 TIMESTEP_S = 0.001
 IMPEDANCE_RATIO = 100.0

@@ -6,8 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.errands.unsaid_steps import Known, prepared, with_names
+from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
 from trees.failures import Failure, Reason
@@ -298,14 +299,7 @@ def carried_out(notes, sentence):
 
 
 def errand(notes, sentence, beliefs):
-    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs).steps(), Nobody(), notes)
-
-
-class Nobody:
-    """Asks and stops nothing."""
-
-    def attend(self, _session):
-        pass
+    return driven(Errand(notes, parse(sentence).commands, beliefs=beliefs).steps())
 
 
 def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():

@@ -13,8 +13,8 @@ from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
+from robots.fake.fake_sensing import FakeRangeSensor
 from robots.live.process.control_server import ControlServer
 from robots.live.wire.connection import Connection
 from robots.live.wire.framing import FrameKind

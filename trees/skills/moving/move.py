@@ -11,8 +11,7 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose, wrapped
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering, StretchSteering, TurnSteering, VelocitySteering
-from kinematics.walking.route.room import WalkingRoom
-from kinematics.walking.route.stopping import stopping_distance_m
+from kinematics.walking.route.room import WalkingRoom, stopping_distance_m
 from trees.failures import Failure, Number, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING

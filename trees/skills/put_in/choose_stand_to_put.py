@@ -12,7 +12,7 @@ from py_trees.common import Status
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
-from kinematics.ik.pointing import link_moved_by
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
 from kinematics.requests.place import PlaceRequest, Spot

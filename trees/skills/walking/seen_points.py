@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.walking.route.path_planning import Footprint
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import RangeSensor
 
 _CELL_M = 0.05
 _KNOWN_M = 0.12

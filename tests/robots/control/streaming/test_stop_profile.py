@@ -6,7 +6,7 @@ import pytest
 from kinematics.model.standing_at import stance_at
 from kinematics.motion.curves import RoundedPolyline
 from kinematics.motion.sampler import TrajectorySampler
-from kinematics.motion.tolerances import SETPOINT_FRACTION
+from kinematics.motion.verdict import SETPOINT_FRACTION
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace

@@ -7,8 +7,8 @@ import pytest
 
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
+from robots.fake.fake_sensing import FakeRangeSensor
 from robots.live.process.bulletin import Bulletin, Wanted
 from robots.live.process.motion_desk import MotionDesk
 from robots.perception.detector import PerceptionFrame

@@ -2,7 +2,7 @@
 
 import gc
 
-from executive.runs.frozen_heap import frozen_heap
+from executive.runs.run import frozen_heap
 
 
 def test_what_exists_is_left_alone_until_the_end():

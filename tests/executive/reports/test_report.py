@@ -1,7 +1,6 @@
 """What a report says of safety is counted from the events."""
 
-from executive.reports.report import SafetyCounts
-from executive.reports.safety_tally import SafetyTally
+from executive.reports.report import SafetyCounts, SafetyTally
 from executive.session.events import InputTaken
 from robots.control.events import EmergencyStopped, SetpointRefused, StopStarted
 
