@@ -20,6 +20,7 @@ from kinematics.ik.arm_posture import arm_posture
 from kinematics.ik.pointing import beside_ray_m
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.gesture_task import ENOUGH, STARTS, GestureTask, Wish
 from kinematics.requests.gesture import (
     CarryRequest,
@@ -238,7 +239,7 @@ class GesturePlanner:
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
-        home = self._model.home_over(request.stance)
+        home = StandingRobot.of(self._model, request.stance).q_home
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
         held = _HeldInHand(body.frame_T_object)
         ahead, inwards, down = CARRY_M

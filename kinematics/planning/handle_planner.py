@@ -24,6 +24,7 @@ from kinematics.ik.result import IkTolerance
 from kinematics.ik.solver import along_line, inverse_kinematics
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import key_of
@@ -98,7 +99,8 @@ class _HandleTask:
 
     def __init__(self, model: RobotModel, request: HandleRequest) -> None:
         self._model, self.request = model, request
-        self._space = free_coordinates(model, request.stance)
+        self._robot = StandingRobot.of(model, request.stance)
+        self._space = free_coordinates(self._robot)
         self.reasons: Counter[str] = Counter()
         self.considered = 0
         self.farthest_s: float | None = None
@@ -154,8 +156,8 @@ class _HandleTask:
         return plan
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
-        request, model = self.request, self._model
-        ik = inverse_kinematics(model, request.stance, grasp.hand)
+        request = self.request
+        ik = inverse_kinematics(self._robot, grasp.hand)
         found = ik.solve(grasp.world_T_tcp, request.q_start)
         if not found.within(_TOLERANCE):
             return "no inverse kinematics at the handle"
@@ -173,7 +175,7 @@ class _HandleTask:
             return "approach collides"
         q_grasp = self._space.to_q(x_grasp[None, :])[0][0]
         rehearsal = rehearse(
-            model, request.stance, grasp.hand, q_grasp, scene, request.parts, request.path,
+            self._robot, grasp.hand, q_grasp, scene, request.parts, request.path,
             request.s_from, request.s_to,
         )  # fmt: skip
         if rehearsal.reason:
@@ -216,7 +218,7 @@ class _HandleTask:
         self, name: str, curve: Curve, pace: Pace, concessions: tuple[Concession, ...]
     ) -> PlannedStep | None:
         request = self.request
-        trajectory = time_in_balance(self._model, self._space, request.stance, curve, pace)
+        trajectory = time_in_balance(self._robot, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, request.scene, concessions)
 
     def _touching(self, hand: Hand) -> PlanningScene:
@@ -231,5 +233,5 @@ class _HandleTask:
         return x
 
     def _planner(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self.request.stance, scene, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M)
+        judge = validity(self._robot, scene, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M)
         return PathPlanner(self._model, self._space, judge)

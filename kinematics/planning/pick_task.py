@@ -24,7 +24,7 @@ from kinematics.ik.result import DEFAULT_TOLERANCE
 from kinematics.ik.solver import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import GraspCandidate, GraspTable, grasp_table, key_of
@@ -100,8 +100,8 @@ class PickTask:
     ) -> None:
         self._model, self._request, self._target = model, request, request.scene.objects[request.target]
         self._heights, self._reserve_m, self._upright = heights, reserve_m, upright
-        self._space = free_coordinates(model, request.stance)
-        self._polygon = SupportPolygon(request.stance, model.description.soles)
+        self._robot = StandingRobot.of(model, request.stance)
+        self._space = free_coordinates(self._robot)
         self._rng = np.random.default_rng(request.seed)
         self._hands: dict[Hand, HandJudge] = {}
         self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
@@ -109,7 +109,7 @@ class PickTask:
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
         self._x_start = self._space.start(request.q_start)
         # the search starts at home, which keeps elbows where they belong
-        self._seed = model.home_over(request.stance)
+        self._seed = self._robot.q_home
         self.reasons: Counter[str] = Counter()
         self.considered = 0
         self._in_reach: dict[Hand, Array] = {}
@@ -194,7 +194,7 @@ class PickTask:
             self.reasons["no straight lift"] += 1
             return None
         clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
-        balance_m = self._polygon.com_margin_m(self._model.com(way.q))
+        balance_m = self._robot.polygon.com_margin_m(self._model.com(way.q))
         cost = (
             way.candidate.cost
             + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
@@ -286,7 +286,7 @@ class PickTask:
         self, scene: PlanningScene, reserve_m: float, like: PathPlanner | None = None
     ) -> PathPlanner:
         before = None if like is None else like.judge
-        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
+        judge = validity(self._robot, scene, reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
     def _step(
@@ -297,7 +297,7 @@ class PickTask:
         scene: PlanningScene,
         concessions: tuple[Concession, ...],
     ) -> PlannedStep | None:
-        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
+        trajectory = time_in_balance(self._robot, curve, pace)
         return None if trajectory is None else PlannedStep(name, trajectory, scene, concessions)
 
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
@@ -320,7 +320,7 @@ class PickTask:
         return scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
 
     def _ik_of(self, hand: Hand) -> InverseKinematics:
-        return inverse_kinematics(self._model, self._request.stance, hand)
+        return inverse_kinematics(self._robot, hand)
 
     def _shoulder(self, hand: Hand) -> Array:
         joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])

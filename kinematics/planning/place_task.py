@@ -20,6 +20,7 @@ from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult
 from kinematics.ik.solver import LINE_RESERVE_RAD, along_line, inverse_kinematics
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.path_planner import PathPlanner
@@ -96,11 +97,12 @@ class PlaceTask:
         self._body = request.scene.attached[request.held]
         frames = model.description.tcp_frames
         self.hand: Hand = next(hand for hand, frame in frames.items() if frame == self._body.frame)
-        self._space = free_coordinates(model, request.stance)
+        self._robot = StandingRobot.of(model, request.stance)
+        self._space = free_coordinates(self._robot)
         self._scene = relaxed_at(model, request.scene, request.q_start, reserve_m)
         self._planner = self._planner_in(self._scene)
         self._x_start = self._space.start(request.q_start)
-        self._ik = inverse_kinematics(model, request.stance, self.hand)
+        self._ik = inverse_kinematics(self._robot, self.hand)
         self._reached: dict[tuple[bytes, bytes], IkResult] = {} if before is None else before._reached
         self._seed = self._seed_posture()
         self._rng = np.random.default_rng(request.seed)
@@ -182,8 +184,8 @@ class PlaceTask:
     def timed(self, goal: PlaceGoal, transfer: Curve) -> PlacePlan | None:
         """Give both motions their time."""
         request, model = self._request, self._model
-        first = time_in_balance(model, self._space, request.stance, transfer, REACH_PACE)
-        second = time_in_balance(model, self._space, request.stance, goal.lower, LOWER_PACE)
+        first = time_in_balance(self._robot, transfer, REACH_PACE)
+        second = time_in_balance(self._robot, goal.lower, LOWER_PACE)
         if first is None or second is None:
             self.reasons["legs cannot follow"] += 1
             return None
@@ -279,8 +281,7 @@ class PlaceTask:
         curve = PolynomialCurve(self._gazing(away, gaze))
         if not self._planner_in(released).curve_is_free(curve):
             return False
-        model, stance = self._model, self._request.stance
-        return time_in_balance(model, self._space, stance, curve, CARTESIAN_PACE) is not None
+        return time_in_balance(self._robot, curve, CARTESIAN_PACE) is not None
 
     def _gazing(self, configurations: Array, gaze: dict[str, float]) -> Array:
         x = np.array([self._space.from_q(q) for q in configurations])
@@ -290,13 +291,13 @@ class PlaceTask:
 
     def _planner_in(self, scene: PlanningScene, like: PathPlanner | None = None) -> PathPlanner:
         before = None if like is None else like.judge
-        judge = validity(self._model, self._request.stance, scene, self._reserve_m, SELF_MARGIN_M, before)
+        judge = validity(self._robot, scene, self._reserve_m, SELF_MARGIN_M, before)
         return PathPlanner(self._model, self._space, judge)
 
     def _seed_posture(self) -> Array:
         """Home, which keeps elbows where they belong, with the other arm where it is."""
         model, request = self._model, self._request
-        q = model.home_over(request.stance)
+        q = self._robot.q_home
         other = 7 + model.group("left_arm" if self.hand == "right" else "right_arm")
         q[other] = request.q_start[other]
         return q

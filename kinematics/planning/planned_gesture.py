@@ -45,12 +45,10 @@ class PlannedGesture(GestureTask):
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
     ) -> None:
         super().__init__(model, q_start, request, hand, seed)
-        self.space: FreeCoordinates = free_coordinates(model, request.stance)
+        self.space: FreeCoordinates = free_coordinates(self._robot)
         self._given = request.scene
         self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
-        self.planner = PathPlanner(
-            model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
-        )
+        self.planner = PathPlanner(model, self.space, validity(self._robot, self.scene, RESERVE_M, RESERVE_M))
 
     def reach(self, name: str, wish: Wish) -> MovePlan | NoPlan:
         """Plan to a posture that is as wished for, and free."""
@@ -81,12 +79,12 @@ class PlannedGesture(GestureTask):
         wide = widened(self.scene, sway_m)
         if wide is self.scene:
             return lambda _: True
-        judge = validity(self._model, self._stance, wide, RESERVE_M, RESERVE_M)
+        judge = validity(self._robot, wide, RESERVE_M, RESERVE_M)
         return lambda q: judge.points_are_free(self.space.from_q(q)[None, :])
 
     def _timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
         """Give a free curve its time."""
-        trajectory = time_in_balance(self._model, self.space, self._stance, curve, pace)
+        trajectory = time_in_balance(self._robot, curve, pace)
         if trajectory is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
         trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)

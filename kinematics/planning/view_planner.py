@@ -21,6 +21,7 @@ from kinematics.ik.picture import in_picture
 from kinematics.ik.pointing import elbow_frame
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.path_planner import PathPlanner
 from kinematics.planning.planning_task import REACH_PACE
@@ -68,10 +69,11 @@ class ViewPlanner:
     def plan(self, request: ViewRequest) -> MovePlan | NoPlan:
         """Plan to the posture that shows most, or say why none does."""
         model = self._model
-        space = free_coordinates(model, request.stance)
+        robot = StandingRobot.of(model, request.stance)
+        space = free_coordinates(robot)
         scene = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
-        planner = PathPlanner(model, space, validity(model, request.stance, scene, RESERVE_M, RESERVE_M))
-        views = self._views(request)
+        planner = PathPlanner(model, space, validity(robot, scene, RESERVE_M, RESERVE_M))
+        views = self._views(robot, request)
         if not views:
             return NoPlan("no posture shows what was not seen yet", {"hidden from everywhere": 1})
         arms = [joint for hand in HANDS for joint in model.description.groups[f"{hand}_arm"]]
@@ -84,7 +86,7 @@ class ViewPlanner:
             if curve is None:
                 reasons["no path"] += 1
                 continue
-            trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
+            trajectory = time_in_balance(robot, curve, REACH_PACE)
             if trajectory is None:
                 reasons["legs cannot follow"] += 1
                 continue
@@ -97,13 +99,13 @@ class ViewPlanner:
             {"views": float(len(views))},
         )
 
-    def _views(self, request: ViewRequest) -> list[_View]:
+    def _views(self, robot: StandingRobot, request: ViewRequest) -> list[_View]:
         """Postures that show something, the most telling first."""
-        model, space = self._model, free_coordinates(self._model, request.stance)
+        model, space = self._model, free_coordinates(robot)
         camera = model.description.camera
         torso = model.description.groups["torso"]
         turning = next((joint for joint in torso if joint != camera.lean_joint), None)
-        home = model.home_over(request.stance)
+        home = robot.q_home
         arms = 7 + np.concatenate([model.group(f"{hand}_arm") for hand in HANDS])
         home[arms] = request.q_start[arms]
         x_home = space.from_q(home)

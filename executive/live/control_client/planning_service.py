@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import Answer, MotionPlanner
 from kinematics.requests.any_request import PlanRequest

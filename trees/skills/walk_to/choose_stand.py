@@ -11,6 +11,7 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.requests.place import PlacePlan, PlaceRequest
 from kinematics.requests.step import NoPlan
@@ -130,7 +131,7 @@ class ChooseStand(Leaf):
         del body
         toolbox = self.toolbox
         return PickRequest(
-            q_start=toolbox.model.home_over(stance),
+            q_start=StandingRobot.of(toolbox.model, stance).q_home,
             stance=stance,
             scene=toolbox.world.scene,
             target=self._place.name,
