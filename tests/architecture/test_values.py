@@ -1,9 +1,10 @@
-"""What belongs together goes about as one value: model and stance of a robot that stands."""
+"""What belongs together goes about as one value, and an answer has its request's type."""
 
 from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 import pytest
@@ -52,10 +53,46 @@ def tables(module: Module) -> list[str]:
     ]
 
 
+def untyped_answers(module: Module) -> list[str]:
+    """Answers, plans and verdicts of any type: a request and a job know what they are answered by."""
+    return [
+        f"{module.file}:{getattr(node, 'lineno', 0)}: {name} has no type"
+        for node in ast.walk(module.tree)
+        for name, kind in (*_annotations(node), *_assigned(node))
+        if name in ("answer", "plan", "verdict") and kind == "Any"
+    ]
+
+
+def _assigned(node: ast.AST) -> Iterator[tuple[str, str]]:
+    if isinstance(node, ast.AnnAssign):
+        yield ast.unparse(node.target), ast.unparse(node.annotation)
+
+
+def ladders(module: Module) -> list[str]:
+    """Rows of questions what kind of request or answer something is."""
+    found = []
+    for function in ast.walk(module.tree):
+        if isinstance(function, ast.FunctionDef):
+            asked = Counter(
+                ast.unparse(node.args[0])
+                for node in ast.walk(function)
+                if isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance"
+            )
+            found += [
+                f"{module.file}:{function.lineno}: {function.name} asks {times} times what {name} is"
+                for name, times in asked.items()
+                if times > 1 and re.search(r"request|answer|plan\b|verdict", name)
+            ]
+    return found
+
+
 BREACHES = [
     (pairs, "def f(model: RobotModel, stance: Stance) -> None: ..."),
     (pairs, "def f(model, q, *, stance): ..."),
     (pairs, "class A:\n    body: RobotModel\n    feet: Stance | None"),
+    (untyped_answers, "def accept(self, answer: Any) -> None: ..."),
+    (untyped_answers, "def f(job):\n    answer: Any = job.result()"),
+    (ladders, "def f(answer):\n    if isinstance(answer, A): ...\n    if isinstance(answer, B): ..."),
     (tables, "@functools.lru_cache(maxsize=4)\ndef f(model: RobotModel) -> int: ..."),
     (tables, "@functools.cache\ndef f(robot: StandingRobot, hand: Hand) -> int: ..."),
 ]
@@ -79,5 +116,24 @@ def test_model_and_stance_hardly_ever_go_side_by_side():
 
 def test_no_module_keeps_a_table_of_robots():
     found = [table for module in modules() for table in tables(module)]
+
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize("rule", [untyped_answers, ladders])
+def test_answers_have_the_type_of_what_was_asked(rule):
+    doors = (
+        "kinematics.motion_planner",
+        "kinematics.planning",
+        "trees",
+        "executive.session",
+        "executive.live",
+    )
+    found = [
+        breach
+        for module in modules()
+        if any(module.name == door or module.name.startswith(f"{door}.") for door in doors)
+        for breach in rule(module)
+    ]
 
     assert not found, "\n".join(found)

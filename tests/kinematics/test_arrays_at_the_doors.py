@@ -88,7 +88,7 @@ def kernel():
 
 @functools.cache
 def solver(kind):
-    return kind(robot(), feet(), "right")
+    return kind(StandingRobot(robot(), feet()), "right")
 
 
 def told(answer):

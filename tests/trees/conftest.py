@@ -307,7 +307,7 @@ def planned(knowing):
         @staticmethod
         def checked(name):
             step = getattr(plan, name)
-            checked = fake.planning.answer(step.question)
+            checked = fake.planning.verdict(step.question)
             return CheckedStep(name, checked, scene.version)
 
         @staticmethod

@@ -36,7 +36,7 @@ def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand, s
 
 @pytest.mark.parametrize("solver", [PlacoIk, ReachIk])
 def test_an_unreachable_pose_is_admitted(talos, stance, solver):
-    ik = solver(talos, stance, "right")
+    ik = solver(StandingRobot(talos, stance), "right")
 
     result = ik.solve(poses.translation(1.6, -0.3, 1.0), talos.q_home)
 
@@ -48,8 +48,8 @@ def test_an_unreachable_pose_is_admitted(talos, stance, solver):
 def test_the_same_question_has_the_same_answer(talos, stance, solver):
     target = poses.translation(0.5, -0.25, 1.0)
 
-    first = solver(talos, stance, "right").solve(target, talos.q_home).q
-    second = solver(talos, stance, "right").solve(target, talos.q_home).q
+    first = solver(StandingRobot(talos, stance), "right").solve(target, talos.q_home).q
+    second = solver(StandingRobot(talos, stance), "right").solve(target, talos.q_home).q
 
     assert np.array_equal(first, second)
 

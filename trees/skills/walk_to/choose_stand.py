@@ -13,7 +13,8 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.place import PlacePlan
+from kinematics.requests.request import Request
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import SceneObject
 from kinematics.walking.route.path_planning import Footprint, footprints
@@ -63,7 +64,7 @@ class ChooseStand(Leaf):
     """A place is taken if those that are so far beside it do as well, for nobody arrives exactly; where there
     is no such place, the one with most of them."""
 
-    _job: Job | None = None
+    _job: Job[PickPlan | PlacePlan | NoPlan] | None = None
 
     def begin(self) -> None:
         """List the places."""
@@ -126,7 +127,7 @@ class ChooseStand(Leaf):
         """The places to ask about, in order, where there is room."""
         return filter(room.has, places)
 
-    def request(self, body: PlanarPose, stance: Stance) -> PickRequest | PlaceRequest:
+    def request(self, body: PlanarPose, stance: Stance) -> Request[PickPlan | PlacePlan | NoPlan]:
         """What the planner is asked for a place to stand."""
         del body
         toolbox = self.toolbox
