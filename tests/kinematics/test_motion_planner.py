@@ -10,9 +10,13 @@ from kinematics.requests.check import CheckRequest
 from kinematics.requests.request import Request
 from kinematics.scene.planning_scene import PlanningScene
 
-for module in pkgutil.iter_modules(kinematics.requests.__path__):
-    importlib.import_module(f"kinematics.requests.{module.name}")
-KINDS = Request.__subclasses__()
+MODULES = [
+    importlib.import_module(f"kinematics.requests.{found.name}")
+    for found in pkgutil.iter_modules(kinematics.requests.__path__)
+]
+# a dataclass with slots is made twice, and only one of the two can be found by its name
+KINDS = [kind for kind in Request.__subclasses__() for module in MODULES if kind in vars(module).values()]
+KINDS = list(dict.fromkeys(KINDS))
 
 
 def answers_of(kind):
