@@ -81,7 +81,7 @@ class PickPlanner:
             way = task.solve(candidate)
             if way is None:
                 continue
-            reach = task.straight_reach(way)
+            reach = task.straight(way.x_pregrasp)
             if reach is None:
                 blocked.append(way)
             elif (goal := task.completed(way)) is not None:
