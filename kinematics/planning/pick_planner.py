@@ -81,7 +81,7 @@ class PickPlanner:
             way = task.solve(candidate)
             if way is None:
                 continue
-            reach = task.straight(way.x_pregrasp)
+            reach = task.straight_reach(way)
             if reach is None:
                 blocked.append(way)
             elif (goal := task.completed(way)) is not None:

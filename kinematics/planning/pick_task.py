@@ -163,6 +163,10 @@ class PickTask(PlanningTask):
             return None
         return way
 
+    def straight_reach(self, way: Way) -> Curve | None:
+        """The straight way to the pre-grasp, if it is free."""
+        return self.straight(way.x_pregrasp)
+
     def completed(self, way: Way) -> Goal | None:
         """The same with its lift and what it costs; a failure is counted."""
         grasp = way.candidate.grasp
