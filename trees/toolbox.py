@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
-from kinematics.motion.verdict import CheckedTrajectory
-from kinematics.requests.any_request import PlanRequest
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded.guarded_motion import GuardedMotion
@@ -27,6 +28,9 @@ from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
+
+Planned = TypeVar("Planned")
+Answer = TypeVar("Answer", covariant=True)
 
 
 @dataclass(slots=True)
@@ -139,7 +143,7 @@ class Gripper(Protocol):
         ...
 
 
-class Job(Protocol):
+class Job(Protocol[Answer]):
     """A request to a planner or to the checker, under way or answered."""
 
     @property
@@ -147,11 +151,11 @@ class Job(Protocol):
         """Whether ``result`` may be called; in lockstep not before its charged time has passed."""
         ...
 
-    def result(self) -> Any:
-        """The planner's answer.
+    def result(self) -> Answer:
+        """The answer.
 
         Raises:
-            Exception: Whatever the planner raised.
+            Exception: Whatever the planner or the checker raised.
         """
         ...
 
@@ -163,8 +167,12 @@ class Job(Protocol):
 class Planning(Protocol):
     """Answers requests to planners and the checker: at once in lockstep, in worker processes in live."""
 
-    def submit(self, request: PlanRequest) -> Job:
+    def submit(self, request: Request[Planned]) -> Job[Planned]:
         """Begin to answer a request."""
+        ...
+
+    def check(self, question: CheckRequest) -> Job[CheckedTrajectory | Unsafe]:
+        """Begin to judge a trajectory: a door of its own, for that is no planning."""
         ...
 
 

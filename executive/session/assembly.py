@@ -10,6 +10,7 @@ from executive.session.events import EventHub, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
@@ -101,7 +102,7 @@ def assemble(
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
 
-    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=on_judged)
+    planning = PlanningJobs(MotionPlanner(model), TrajectoryChecker(model), clock, sink, on_judged=on_judged)
     robot_here = ControlledRobot(
         model=model,
         clock=clock,

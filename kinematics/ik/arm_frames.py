@@ -7,7 +7,6 @@ here too.
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -147,10 +146,9 @@ def _frames(places_m: Array, world_R_tcp: Array, ahead: Array) -> ArmFrames:
 
 def arm_kinematics(model: RobotModel, hand: Hand, trunk: bool = True) -> ArmKinematics:
     """Those of a model's arm, made once for each robot."""
-    return _made(robot_build(model), hand, trunk)
+    return robot_build(model).derived(_made, hand, trunk)
 
 
-@functools.lru_cache(maxsize=8)
 def _made(build: RobotBuild, hand: Hand, trunk: bool) -> ArmKinematics:
     return ArmKinematics(build.model, hand, trunk)
 

@@ -76,7 +76,7 @@ class PlacePlanner:
         most = FEW_BLOCKED if request.quick else MOST_BLOCKED
         blocked: list[PlaceGoal] = []
         for goal in task.goals():
-            straight = task.straight(goal)
+            straight = task.straight(goal.x_hover)
             if straight is not None and (plan := task.timed(goal, straight)) is not None:
                 return plan
             if straight is None and len(blocked) < most:

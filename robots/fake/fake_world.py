@@ -14,6 +14,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
@@ -72,7 +73,7 @@ class FakeWorld:
         self._placed: tuple[NDArray[np.float64], list[float]] | None = None
         self._told_by: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         self._poses: dict[str, Transform] = {}
-        self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
+        self._dynamics = dynamics or StandingDynamics(StandingRobot.of(model, self.motion.stance()))
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
         self.grippers: Mapping[Hand, FakeGripper] = {

@@ -68,7 +68,7 @@ class FakeStage:
             world=WorldModel(), events=lambda event: self.session.tell(event),
             rng=np.random.default_rng(1), policy=QUICK, places=dict(places),
         )  # fmt: skip
-        planning = PlanningJobs(None, self.fake.clock, self.events.append)
+        planning = PlanningJobs(None, None, self.fake.clock, self.events.append)
         guard = Supervisor(Guard(), self.fake.clock, self.events.append) if guarded else None
         self.session = Session(toolbox, Loop(self.fake), planning, self.events.append, supervisor=guard)
         self.requests = Requests(self.session)

@@ -16,7 +16,7 @@ from executive.reports.check_report import MotionVerdict
 from kinematics.checking.settings import CheckSettings
 from kinematics.formats.trajectory_document import StoredTrajectory, write_trajectory
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import FindingKind
 from robots.control.streaming.motion_streamer import MotionStreamer

@@ -12,7 +12,8 @@ from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.grasp import Grasp
@@ -196,7 +197,7 @@ def model():
 @pytest.fixture(scope="session")
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
-    dynamics = StandingDynamics(model, stance_at(model, model.q_home))
+    dynamics = StandingDynamics(StandingRobot(model, stance_at(model, model.q_home)))
     gestures, reached = RememberedGestures(model), {}
 
     def made(*objects, **options):
@@ -306,7 +307,7 @@ def planned(knowing):
         @staticmethod
         def checked(name):
             step = getattr(plan, name)
-            checked = fake.planning.answer(step.question)
+            checked = fake.planning.verdict(step.question)
             return CheckedStep(name, checked, scene.version)
 
         @staticmethod

@@ -177,7 +177,7 @@ def planned(stage, opening_rad=0.0):
 
 def reaching(stage):
     handle, plan = planned(stage)
-    checked = stage.fake.planning.answer(CheckRequest(plan.reach.trajectory, plan.reach.scene))
+    checked = stage.fake.planning.verdict(CheckRequest(plan.reach.trajectory, plan.reach.scene))
     return {"handle": handle, "checked": CheckedStep("reach", checked, stage.told.scene.version)}
 
 

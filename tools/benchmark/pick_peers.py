@@ -24,7 +24,8 @@ from kinematics.ik.placo_ik import without_meshes
 from kinematics.ik.result import IkTolerance
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_table
 from kinematics.planning.pick_planner import MOST_BLOCKED
 from kinematics.planning.pick_task import APPROACH_M, FARTHEST_M
@@ -267,7 +268,7 @@ class PeerPicker:
         joints = request.q_start[7:][index]
         if not self._whole_body:
             return np.array([joints, way.approach[0]])
-        pelvis = free_coordinates(self._model, self._stance).from_q(request.q_start)[:6]
+        pelvis = free_coordinates(StandingRobot(self._model, self._stance)).from_q(request.q_start)[:6]
         return np.array([np.concatenate([pelvis, joints]), way.approach[0]])
 
     def _free(self, candidate: GraspCandidate, phase: str, points: Array) -> bool:

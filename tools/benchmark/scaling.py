@@ -26,8 +26,8 @@ from kinematics.collision.validity import Validity, validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve, RoundedPolyline
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
@@ -89,19 +89,20 @@ def scaling(repeats: int) -> list[Course]:
 
 def _among_obstacles(repeats: int) -> list[Course]:
     model, stance = RobotModel(load_description("panda")), Stance(())
-    space = FreeCoordinates(model, stance)
+    robot = StandingRobot(model, stance)
+    space = FreeCoordinates(robot)
     names = ("Panda: scene taken in", "Panda: line of 2 rad judged", "Panda: path planned and shortened")
     found: dict[str, list[list[float]]] = {name: [] for name in names}
     # what is loaded at the first use does not count
-    first = validity(model, stance, PlanningScene().with_objects(_shell(np.random.default_rng(0), 1)))
+    first = validity(robot, PlanningScene().with_objects(_shell(np.random.default_rng(0), 1)))
     _judge_all(first, [_edge(model, first, np.random.default_rng(0))])
     for count in OBSTACLES:
         samples: dict[str, list[float]] = {name: [] for name in names}
         for number in range(repeats):
             rng = np.random.default_rng([count, number])
             scene = PlanningScene().with_objects(_shell(rng, count))
-            samples[names[0]].append(timed_s(functools.partial(validity, model, stance, scene)))
-            judge = validity(model, stance, scene)
+            samples[names[0]].append(timed_s(functools.partial(validity, robot, scene)))
+            judge = validity(robot, scene)
             start, goal = (_free_point(model, judge, rng) for _ in range(2))
             edges = [_edge(model, judge, rng) for _ in range(20)]
             _judge_all(judge, edges)
@@ -175,14 +176,14 @@ def _checks_among_obstacles(repeats: int) -> Course:
 
 def _reaching(model: RobotModel, rng: np.random.Generator) -> Trajectory:
     """A motion of both arms by some tenths of a radian, from home."""
-    stance = stance_at(model, model.q_home)
-    space = free_coordinates(model, stance)
+    robot = StandingRobot(model, stance_at(model, model.q_home))
+    space = free_coordinates(robot)
     while True:
         ends = space.from_q(model.q_home)[None].repeat(2, axis=0)
         for hand in ("left", "right"):
             for joint in model.description.groups[f"{hand}_arm"]:
                 ends[1, space.index(joint)] += rng.uniform(-0.3, 0.3)
-        trajectory = time_curve(model, space, stance, PolynomialCurve(ends), _PACE)
+        trajectory = time_curve(robot, PolynomialCurve(ends), _PACE)
         if trajectory is not None and isinstance(_check(model, trajectory), CheckedTrajectory):
             return trajectory
 
@@ -193,8 +194,8 @@ def _check(model: RobotModel, trajectory: Trajectory) -> object:
 
 def _along_waypoints(repeats: int) -> list[Course]:
     model = RobotModel(load_description("talos"))
-    stance = stance_at(model, model.q_home)
-    space = free_coordinates(model, stance)
+    robot = StandingRobot(model, stance_at(model, model.q_home))
+    space = free_coordinates(robot)
     judge = TrajectoryChecker(model)
     joints = model.description.groups["left_arm"]
     columns = [space.index(joint) for joint in joints]
@@ -206,7 +207,7 @@ def _along_waypoints(repeats: int) -> list[Course]:
             points = space.from_q(model.q_home)[None].repeat(count, axis=0)
             points[1:, columns] += rng.uniform(-0.25, 0.25, (count - 1, len(columns)))
             curve = RoundedPolyline(points, space.weights, 0.12)
-            make = functools.partial(time_curve, model, space, stance, curve, _PACE)
+            make = functools.partial(time_curve, robot, curve, _PACE)
             trajectory = make()
             one.append(timed_s(make))
             if trajectory is not None:

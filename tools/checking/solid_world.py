@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, cached_property
+from functools import cached_property
 
 import coal
 import numpy as np
@@ -31,7 +31,7 @@ class SolidWorld:
 
     def __init__(self, model: RobotModel, scene: PlanningScene, only: frozenset[str] | None = None) -> None:
         self._model = model
-        self.geometry = _pristine_hulls(model).copy()
+        self.geometry = model.derived(_pristine_hulls).copy()
         links = [model.link_of(item) for item in self.geometry.geometryObjects]
         own = [(pair.first, pair.second) for pair in self.geometry.collisionPairs]
         self.geometry.removeAllCollisionPairs()
@@ -108,7 +108,6 @@ class SolidWorld:
         return int(self.geometry.addGeometryObject(pin.GeometryObject(item.name, joint, place, solid)))
 
 
-@cache
 def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
     """The robot's links as hulls of their meshes, made here and not by the product."""
     geometry = pin.buildGeomFromUrdfString(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from robots.control.hands.yield_order import MANNERS, YieldOrder
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.hands.yielding_hand import YieldingHand
@@ -20,8 +21,7 @@ class YieldingControl:
     def start(self, order: YieldOrder) -> YieldingStarted:
         """Begin where the robot is commanded to be now; the handle is refused when it may not."""
         motion = YieldingHand(
-            self._model,
-            self._streamer.stance(),
+            StandingRobot.of(self._model, self._streamer.stance()),
             order.hand,
             self._streamer.reference(),
             order.scene,

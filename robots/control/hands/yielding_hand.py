@@ -29,8 +29,7 @@ from kinematics.following.opening_motion import (
     turned_with,
 )
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.scene.opening_path import OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
@@ -54,8 +53,7 @@ class YieldingHand:
 
     def __init__(
         self,
-        model: RobotModel,
-        stance: Stance,
+        standing: StandingRobot,
         hand: Hand,
         q: Array,
         scene: PlanningScene,
@@ -72,8 +70,7 @@ class YieldingHand:
         """Prepare.
 
         Args:
-            model: The robot.
-            stance: Where its feet stand.
+            standing: The robot where it stands.
             hand: The hand that holds the handle.
             q: The reference, at rest, shape (nq,).
             scene: What is around at ``s_from``; the hand may touch what its ``allowed`` says.
@@ -87,9 +84,10 @@ class YieldingHand:
         """
         self._holding = holding
         self._stop_from = stop_from
-        self._model, self._path, self._settings = model, path, settings
-        self._stance = stance
-        self._tracker = HandTracker(model, stance, hand, q)
+        model = standing.model
+        self._standing, self._model = standing, model
+        self._path, self._settings = path, settings
+        self._tracker = HandTracker(standing, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper = model.description.grippers[hand]
         self._gripper_index = model.description.actuated.index(self._gripper.joint)
@@ -214,7 +212,7 @@ class YieldingHand:
             rotation=turned_with(self._path, self._rotation, self._s_from, self._s),
             spin_weight=self._spin,
             spin_axis=self._path.bar_axis,
-            com_shift_m=com_shift_m(self._model, self._stance, point.outward, at_z_m, pull_n),
+            com_shift_m=com_shift_m(self._standing, point.outward, at_z_m, pull_n),
         )
 
     @property

@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.poses import vector_from_rotation
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.model.support_polygon import SupportPolygon
 from robots.control.health.finding import Ailment, Finding
 from robots.interface.sensed_state import SensedState

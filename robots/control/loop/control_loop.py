@@ -11,7 +11,8 @@ import numpy as np
 from kinematics.estimation.base_estimator import BaseEstimator
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from robots.clock import ManualClock
 from robots.control.balance.balance import Balance
 from robots.control.balance.contact_watch import ContactWatch
@@ -79,7 +80,7 @@ class ControlLoop:
         self._bodies = len(model.joints)
         readings = robot.read()
         q, fingers = resting_start(model, readings.q)
-        stance = stance_at(model, q)
+        standing = StandingRobot.of(model, stance_at(model, q))
         authority = Authority(model.description.actuated)
         keepers = {
             hand: GripKeeper(model.description, hand, fingers[hand], period_s)
@@ -87,12 +88,12 @@ class ControlLoop:
             if hand in fingers
         }
         actuated = np.concatenate([q[7:], list(fingers.values())])
-        self._balance = Balance(model, stance)
+        self._balance = Balance(standing)
         self._sway = SwayDamping(model.description, period_s)
-        self._estimator = BaseEstimator(model, stance)
+        self._estimator = BaseEstimator(standing)
         self._contact = ContactWatch(model)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
-        self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
+        self._streamer = MotionStreamer(standing, q, keepers, authority, clock, sink, period_s)
         self._keepers = tuple(keepers.values())
         self._tau = np.zeros(len(actuated))
         self._record = ControlRecord(clock, sink)
@@ -323,9 +324,10 @@ class ControlLoop:
             return
         stance, q = ended
         self._gate.expect_steps(False)
-        self._streamer.stand(stance, q)
-        self._balance = Balance(self._model, stance)
-        self._estimator = BaseEstimator(self._model, stance)
+        standing = StandingRobot.of(self._model, stance)
+        self._streamer.stand(standing, q)
+        self._balance = Balance(standing)
+        self._estimator = BaseEstimator(standing)
 
     def _watch_for_contact(self, state: RobotState) -> None:
         """When the body pushes against something, end what moves the robot: a walk within two steps."""

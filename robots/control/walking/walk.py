@@ -8,8 +8,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
 from kinematics.motion.sampler import MotionSample
 from kinematics.walking.body.floor_finding import FloorFinding
 from kinematics.walking.body.legged_estimator import LeggedEstimator

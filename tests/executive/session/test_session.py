@@ -70,7 +70,7 @@ class Stage:
         self.clock, self.events, self.tree = ManualClock(), [], tree
         self.loop = Loop(self.clock)
         monkeypatch.setattr(session_module, "build_tree", lambda task, toolbox: tree)
-        planning = PlanningJobs(None, self.clock, self.events.append)
+        planning = PlanningJobs(None, None, self.clock, self.events.append)
         self.session = Session(Toolbox(self.clock), self.loop, planning, self.events.append, **hooks)
 
 

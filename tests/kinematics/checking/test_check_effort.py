@@ -12,6 +12,7 @@ from kinematics.checking.timeline import Timeline
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.trajectory import Trajectory
 from kinematics.standing.free_coordinates import free_coordinates
@@ -21,13 +22,13 @@ from kinematics.timing.curve_timing import Pace, time_curve
 def hasty(talos, stance, seed):
     """A motion of the whole body at random, within all limits."""
     rng = np.random.default_rng(seed)
-    space = free_coordinates(talos, stance)
+    space = free_coordinates(StandingRobot(talos, stance))
     ends = np.repeat(space.from_q(talos.q_home)[None], 2, axis=0)
     ends[1, :6] += rng.uniform(-0.04, 0.02, 6)
     ends[1, 6:] += rng.uniform(-0.2, 0.2, space.size - 6)
     columns = talos.indices(space.joints)
     ends[1, 6:] = np.clip(ends[1, 6:], talos.lower_rad[columns] + 0.01, talos.upper_rad[columns] - 0.01)
-    return time_curve(talos, space, stance, PolynomialCurve(ends), Pace())
+    return time_curve(StandingRobot(talos, stance), PolynomialCurve(ends), Pace())
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -5,6 +5,7 @@ from kinematics.errors import KinematicsError
 from kinematics.estimation.base_estimator import BaseEstimator
 from kinematics.geometry import poses
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 
 PERIOD_S = 0.002
 
@@ -14,7 +15,7 @@ class Walkthrough:
 
     def __init__(self, model, stance, rng=None):
         self.model, self.stance = model, stance
-        self.estimator = BaseEstimator(model, stance)
+        self.estimator = BaseEstimator(StandingRobot(model, stance))
         self.rng = rng
         self.stamp_s = 0.0
         self.last_imu = None
@@ -148,4 +149,4 @@ def test_each_estimate_is_a_value_of_its_own(walkthrough, talos):
 
 def test_a_stance_without_soles_cannot_be_estimated_from(talos):
     with pytest.raises(KinematicsError, match="without a sole"):
-        BaseEstimator(talos, Stance(()))
+        BaseEstimator(StandingRobot(talos, Stance(())))

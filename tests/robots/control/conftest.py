@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused
@@ -20,7 +21,9 @@ def led(rig):
     q = rig.loop.motion.reference()
     place = rig.model.frame_pose(q, "tcp_left")[:3, 3]
     line, stance = DrawerLine(place, 0.0), stance_at(rig.model, q)
-    motion = YieldingHand(rig.model, stance, "left", q, PlanningScene(), (), line, 0.0, 0.25, holding=False)
+    motion = YieldingHand(
+        StandingRobot(rig.model, stance), "left", q, PlanningScene(), (), line, 0.0, 0.25, holding=False
+    )
     handle = rig.loop.motion.start(motion)
     rig.run_until(lambda: motion.report.s >= LED_M, within_s=6.0)
     assert handle.status is MotionStatus.RUNNING, handle.reason
@@ -58,7 +61,15 @@ def led_again(rig):
     place = rig.model.frame_pose(q, "tcp_left")[:3, 3]
     stance = rig.loop.motion.stance()
     motion = YieldingHand(
-        rig.model, stance, "left", q, PlanningScene(), (), DrawerLine(place, 0.0), 0.0, 0.05, holding=False
+        StandingRobot(rig.model, stance),
+        "left",
+        q,
+        PlanningScene(),
+        (),
+        DrawerLine(place, 0.0),
+        0.0,
+        0.05,
+        holding=False,
     )
     handle = rig.loop.motion.start(motion)
     rig.run(0.1)

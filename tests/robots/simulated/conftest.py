@@ -13,6 +13,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from robots.interface.robot import JointSetpoint
 from robots.models.description import load_description
 from robots.scenes.scene_description import SceneDescription, SceneItem
@@ -40,7 +41,7 @@ class Stand:
         self.robot, self.truth = self.world.robot, self.world.truth
         self.q = model.q_home.copy()
         soles = [(sole.frame, model.frame_pose(self.q, sole.frame)) for sole in self.description.soles]
-        self.dynamics = StandingDynamics(model, Stance(tuple(soles)))
+        self.dynamics = StandingDynamics(StandingRobot(model, Stance(tuple(soles))))
         self.gripper = np.zeros(len(self.description.gripper_joints))
         self.sequence = 0
         self.hold_posture(self.q[7:])

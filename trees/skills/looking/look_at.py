@@ -8,6 +8,7 @@ from kinematics.arrays import Array
 from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.ik.gaze import gaze_joints
 from kinematics.model.robot_description import RobotDescription
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.move import MoveRequest
 from trees.beliefs.sight.sight import middle_of_most
 from trees.failures import Failure
@@ -43,7 +44,7 @@ class LookAt(AimingLeaf):
         model, motion = self.toolbox.model, self.toolbox.motion
         if model.description.welded:
             return (0.0, 0.0, 0.0)
-        home, now = model.home_over(motion.stance()), motion.reference()
+        home, now = StandingRobot.of(model, motion.stance()).q_home, motion.reference()
         ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
         behind_m = float(ahead @ (home[:3] - now[:3]))
         if not self.gaze.back_m and behind_m <= _BEHIND_M:

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.walking_settings import UPRIGHT_RAD
 from kinematics.requests.gesture import CarryRequest, GestureRequest
 from kinematics.requests.move import MoveRequest
@@ -116,7 +117,7 @@ class ReadyToWalk(GoHome):
 
     def _stands_tall(self, q: Array) -> bool:
         toolbox = self.toolbox
-        home_m = float(toolbox.model.home_over(toolbox.motion.stance())[2])
+        home_m = float(StandingRobot.of(toolbox.model, toolbox.motion.stance()).q_home[2])
         return _leans_by_at_most(_TALL_RAD, q) and abs(float(q[2]) - home_m) <= _HEIGHT_M
 
 

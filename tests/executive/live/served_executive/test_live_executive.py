@@ -53,7 +53,7 @@ class Serving:
 
     def check(self, trajectory):
         """Have both sides let a trajectory pass."""
-        job = self.live._planning.submit(CheckRequest(trajectory.trajectory, PlanningScene()))
+        job = self.live._planning.check(CheckRequest(trajectory.trajectory, PlanningScene()))
         self.worker.answer(Planned(trajectory, 0.1, "{}"))
         while not job.done:
             self.live._session.hold(0.02)

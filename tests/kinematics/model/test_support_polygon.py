@@ -8,8 +8,8 @@ from scipy.spatial import ConvexHull
 from kinematics.errors import KinematicsError, UnknownNameError
 from kinematics.geometry import poses
 from kinematics.model.robot_description import SoleDescription
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at, standing_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 
 SOLES = tuple(
@@ -84,7 +84,7 @@ def test_standing_puts_the_base_back_where_the_soles_want_it(talos, stance):
     lost = talos.q_home.copy()
     lost[:7] = (0.3, -0.2, 0.7, 0.0, 0.0, np.sin(0.2), np.cos(0.2))
 
-    found = standing_at(talos, lost, stance)
+    found = StandingRobot(talos, stance).placed(lost)
 
     np.testing.assert_allclose(found, talos.q_home, atol=1e-12)
     for (frame, before), (_, after) in zip(stance.soles, stance_at(talos, found).soles, strict=True):
