@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.resources
-import re
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from importlib.resources.abc import Traversable
@@ -22,15 +21,15 @@ from kinematics.model.robot_description import (
     CameraDescription,
     GripperDescription,
     Hand,
-    HealthLimits,
-    JointGains,
     JointLimits,
     RobotDescription,
-    SensorNoise,
     SoleDescription,
 )
 from kinematics.model.walking_settings import TuckedArms, WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.interface.hardware import RobotData
+from robots.models.hardware_tables import WALKING_GAINS, read_hardware
+from robots.models.kinds import kind_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
 from robots.models.urdf import (
     Table,
@@ -68,6 +67,11 @@ def _folders() -> Mapping[str, Traversable]:
 
 
 def load_description(name: str) -> RobotDescription:
+    """Read where the parts of a robot are; raises what ``load_robot`` does."""
+    return load_robot(name).description
+
+
+def load_robot(name: str) -> RobotData:
     """Read the data of a robot.
 
     Raises:
@@ -79,27 +83,29 @@ def load_description(name: str) -> RobotDescription:
         raise UnknownRobotError(name, known_robots())
     data = read_toml((folder / "description.toml").read_text("utf-8"))
     try:
-        return _describe(name, data, folder)
+        description = _describe(name, data, folder)
+        return RobotData(description, read_hardware(data, description))
     except KeyError as missing:
         raise DescriptionError(f"robot {name!r}: description.toml or URDF lacks {missing}") from missing
     except DescriptionError as wrong:
         raise DescriptionError(f"robot {name!r}: {wrong}") from wrong
 
 
-def load_description_for_tasks(name: str) -> RobotDescription:
+def load_robot_for_tasks(name: str) -> RobotData:
     """Read the data of a robot that is to carry out sentences.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
-        DescriptionError: As for ``load_description``, or the robot lacks a part that the skills need.
+        DescriptionError: As for ``load_robot``, or the robot lacks a part that the skills need.
     """
-    description = load_description(name)
+    robot = load_robot(name)
+    description = robot.description
     if missing := description.missing_for_tasks:
         reason = f" ({description.cannot_grasp})" if description.cannot_grasp else ""
         raise DescriptionError(
             f"robot {name!r} can plan but not carry out tasks yet: it has no {', no '.join(missing)}{reason}"
         )
-    return description
+    return robot
 
 
 def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
@@ -129,7 +135,7 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         joints=joints,
         gripper_joints=gripper_joints,
         limits=_limits(urdf, actuated, data),
-        gains={joint: _gains(joint, data["gains"]) for joint in actuated},
+        armature={joint: data["gains"][kind_of(joint, members)]["armature"] for joint in actuated},
         home={joint: data["home"].get(joint, posture.get(joint, 0.0)) for joint in actuated},
         groups={group: tuple(data["groups"].get(group, ())) for group in _group_names(data["groups"])},
         grippers=grippers,
@@ -138,22 +144,15 @@ def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
         head_camera=_camera(data.get("camera")),
         base_link=body["base_link"],
         imu=body.get("imu_link"),
-        noise=SensorNoise(**data["noise"]),
         planning_margin_rad=limits["planning_margin_rad"],
         joint_viscosity_nms_rad=data.get("friction", {}).get("viscosity_nms_rad", 0.0),
         com_margin_m=limits["com_margin_m"] if "sole" in data else 0.0,
-        contact_effort_nm={
-            joint: limits["contact"][kind]
-            for joint in joints
-            if (kind := _kind(joint, members)) in limits.get("contact", {})
-        },
         base=body.get("base", "floating"),
         mount_xyz_m=tuple(body.get("mount_xyz_m", (0.0, 0.0, 0.0))),
         mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
         cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
-        walking=_walking(data.get("walking"), joints, members),
+        walking=_walking(data.get("walking")),
         reachability=_reachability(folder),
-        health=HealthLimits(**data.get("health", {})),
     )
     _require_consistent(description, link_names(urdf))
     return description
@@ -273,7 +272,7 @@ def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -
         element = elements[name].find("limit")
         if element is None:
             raise DescriptionError(f"joint {name!r} has no limits in the URDF")
-        kind = _kind(name, members)
+        kind = kind_of(name, members)
         lower, upper = positions.get(name, (float(element.attrib["lower"]), float(element.attrib["upper"])))
         limits[name] = JointLimits(
             position=(lower, upper),
@@ -283,17 +282,6 @@ def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -
             effort=table.get("effort", {}).get(kind, float(element.attrib["effort"])),
         )
     return limits
-
-
-def _kind(joint: str, members: Table) -> str:
-    for kind, pattern in members.items():
-        if re.fullmatch(pattern, joint):
-            return str(kind)
-    raise DescriptionError(f"joint {joint!r} belongs to no kind of [gains.members]")
-
-
-def _gains(joint: str, table: Table) -> JointGains:
-    return JointGains(**table[_kind(joint, table["members"])])
 
 
 def _gripper(hand: Hand, data: Table) -> GripperDescription:
@@ -311,10 +299,6 @@ def _gripper(hand: Hand, data: Table) -> GripperDescription:
         open_rad=data["open_rad"],
         closed_rad=data["closed_rad"],
         opening_table=tuple((row[0], row[1]) for row in data["opening_table"]),
-        effort_nm=data["effort_nm"],
-        closing_speed_rad_s=data["closing_speed_rad_s"],
-        empty_below_rad=data["empty_below_rad"],
-        held_effort_nm=data["held_effort_nm"],
         payload_kg=data["payload_kg"],
         pad_half_size_m=tuple((x, y, z) for x, y, z in data["pad_half_size_m"]),
         pad_position_m=tuple((x, y, z) for x, y, z in data["pad_position_m"]),
@@ -335,13 +319,12 @@ def _sole(item: Table) -> SoleDescription:
     )
 
 
-def _walking(data: Table | None, joints: tuple[str, ...], members: Table) -> WalkingSettings | None:
+def _walking(data: Table | None) -> WalkingSettings | None:
     if data is None:
         return None
-    by_kind = data["joint_acceleration"]
-    by_joint = {joint: by_kind[kind] for joint in joints if (kind := _kind(joint, members)) in by_kind}
+    settings = {key: value for key, value in data.items() if key not in WALKING_GAINS}
     tucked = TuckedArms(**data["tucked"]) if "tucked" in data else None
-    return WalkingSettings(**{**data, "joint_acceleration": by_joint, "tucked": tucked})
+    return WalkingSettings(**{**settings, "tucked": tucked})
 
 
 def _reachability(folder: Traversable) -> ReachabilityMap | None:

@@ -13,7 +13,7 @@ from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.models import description as reader
-from robots.models.description import known_robots, load_description, load_description_for_tasks
+from robots.models.description import known_robots, load_description, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
 
 ARM = """
@@ -107,11 +107,11 @@ def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
 
 def test_a_robot_that_lacks_parts_is_not_given_tasks_and_they_are_named():
     with pytest.raises(DescriptionError, match=r"panda.* no feet, .*no left gripper"):
-        load_description_for_tasks("panda")
+        load_robot_for_tasks("panda")
 
 
 def test_a_whole_humanoid_is_given_tasks():
-    assert load_description_for_tasks("talos").missing_for_tasks == ()
+    assert load_robot_for_tasks("talos").description.missing_for_tasks == ()
 
 
 @pytest.mark.parametrize(
@@ -134,4 +134,4 @@ def test_data_that_contradict_themselves_are_refused(changes, says):
 
 def test_hands_that_cannot_grasp_are_told_with_their_reason():
     with pytest.raises(DescriptionError, match=r"g1.* no left gripper, no right gripper \(its hands are of"):
-        load_description_for_tasks("g1")
+        load_robot_for_tasks("g1")
