@@ -10,7 +10,10 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Collection, Mapping
-from typing import Annotated, Any, Self, TypeVar
+from dataclasses import MISSING, fields, is_dataclass
+from functools import partial
+from types import UnionType
+from typing import Annotated, Any, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from pydantic import (
     AfterValidator,
@@ -18,10 +21,13 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     FiniteFloat,
+    GetCoreSchemaHandler,
     ValidationError,
+    create_model,
     model_validator,
 )
-from pydantic_core import ErrorDetails, PydanticCustomError
+from pydantic_core import CoreSchema, ErrorDetails, PydanticCustomError
+from pydantic_core.core_schema import no_info_after_validator_function
 
 _UNKNOWN_KEY = "unknown_key"
 _SAID = "said"
@@ -40,7 +46,9 @@ def _not_blank(text: str) -> str:
 
 
 def as_tuple(value: Any, count: int) -> tuple[Any, ...]:
-    """A list of so many entries as a tuple; what validators call before the entries are read."""
+    """A list of so many numbers as a tuple; what validators call before the numbers are read."""
+    if isinstance(value, tuple):  # a default, or a value that was made by a program
+        return value
     if not isinstance(value, list) or len(value) != count:
         raise said(f"must be a list of {count} numbers, not {value!r}")
     return tuple(value)
@@ -48,10 +56,8 @@ def as_tuple(value: Any, count: int) -> tuple[Any, ...]:
 
 Text = Annotated[str, AfterValidator(_not_blank)]
 """A text that is not blank."""
-Pair = Annotated[tuple[FiniteFloat, FiniteFloat], BeforeValidator(lambda value: as_tuple(value, 2))]
-Triple = Annotated[
-    tuple[FiniteFloat, FiniteFloat, FiniteFloat], BeforeValidator(lambda value: as_tuple(value, 3))
-]
+Pair = Annotated[tuple[FiniteFloat, FiniteFloat], BeforeValidator(partial(as_tuple, count=2))]
+Triple = Annotated[tuple[FiniteFloat, FiniteFloat, FiniteFloat], BeforeValidator(partial(as_tuple, count=3))]
 
 
 class StrictTable(BaseModel):
@@ -83,6 +89,54 @@ class StrictTable(BaseModel):
     @classmethod
     def _unknown(cls, key: str) -> PydanticCustomError:
         return PydanticCustomError(_UNKNOWN_KEY, "unknown key", {"key": key, "known": cls._keys()})
+
+
+class AsTable:
+    """Reads a table into the dataclass beside which it stands: ``Annotated[Person, AsTable()]``.
+
+    Of a tuple of dataclasses one table holds the fields of all.
+    """
+
+    def __init__(self, **defaults: Any) -> None:
+        """Prepare.
+
+        Args:
+            defaults: Of fields that a file may leave out though the dataclass has no default for them.
+        """
+        self._defaults = defaults
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """What pydantic asks for: the table's own schema, then the dataclass of what was read."""
+        several = get_origin(source) is tuple
+        kinds = get_args(source) if several else (source,)
+        declared: dict[str, Any] = {}
+        for kind in kinds:
+            hints = get_type_hints(kind)
+            for field in fields(kind):
+                default = self._defaults.get(field.name, ... if field.default is MISSING else field.default)
+                declared[field.name] = (_readable(hints[field.name]), default)
+        model = create_model(kinds[0].__name__, __base__=StrictTable, **declared)
+
+        def value(table: StrictTable) -> Any:
+            made = [
+                kind(**{field.name: getattr(table, field.name) for field in fields(kind)}) for kind in kinds
+            ]
+            return tuple(made) if several else made[0]
+
+        return no_info_after_validator_function(value, handler.generate_schema(model))
+
+
+def _readable(hint: Any) -> Any:
+    """A field's type as a file has it: texts are not blank, lists are tuples, tables are dataclasses."""
+    if hint is str:
+        return Text
+    if is_dataclass(hint):
+        return Annotated[hint, AsTable()]
+    if get_origin(hint) is UnionType:
+        return Union[tuple(map(_readable, get_args(hint)))]  # noqa: UP007  (made of values)
+    if get_origin(hint) is tuple:
+        return Annotated[hint, BeforeValidator(partial(as_tuple, count=len(get_args(hint))))]
+    return hint
 
 
 Model = TypeVar("Model", bound=StrictTable)

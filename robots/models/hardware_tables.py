@@ -1,57 +1,50 @@
-"""Read what a robot is made of: the tables of ``description.toml`` that planners do not need."""
+"""What a robot is made of, from the tables of ``description.toml`` that planners do not need."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from kinematics.model.robot_description import RobotDescription
-from robots.interface.hardware import (
-    GripSettings,
-    Hardware,
-    HealthLimits,
-    SensorNoise,
-    ServoGains,
-    WalkingGains,
-)
-from robots.models.kinds import kind_of
-from robots.models.urdf import Table
-
-_GRIP = ("effort_nm", "closing_speed_rad_s", "empty_below_rad", "held_effort_nm")
-_BY_KIND = "joint_acceleration"
-WALKING_GAINS = frozenset(WalkingGains.__dataclass_fields__)
-"""Keys of ``[walking]`` that say how a walk is held upright; the others say what its pattern is."""
+from robots.interface.hardware import GripSettings, Hardware, ServoGains
+from robots.models.description_document import DescriptionDocument
 
 
-def read_hardware(data: Table, description: RobotDescription) -> Hardware:
-    """Read the servos, sensors and grips.
+def hardware_of(document: DescriptionDocument, description: RobotDescription) -> Hardware:
+    """The servos, sensors and grips.
 
     Args:
-        data: ``description.toml``.
-        description: What was read of it already.
+        document: ``description.toml``.
+        description: What was made of it already.
 
     Raises:
-        KeyError: A table or key is missing.
-        DescriptionError: A joint belongs to no kind.
+        DescriptionError: A joint belongs to no kind, or to one without gains.
     """
-    members = data["gains"]["members"]
-    gains = {joint: data["gains"][kind_of(joint, members)] for joint in description.actuated}
-    contact = data["limits"].get("contact", {})
+    kinds = {joint: document.gains.kind_of(joint) for joint in description.joints}
+
+    def by_joint(numbers: Mapping[str, float]) -> dict[str, float]:
+        return {joint: numbers[kind] for joint, kind in kinds.items() if kind in numbers}
+
+    servos = {joint: document.gains.of(joint) for joint in description.actuated}
+    walking, gripper = document.walking, document.gripper
+    gains = None if walking is None else walking[1]
     return Hardware(
-        gains={joint: ServoGains(of["stiffness"], of["damping"]) for joint, of in gains.items()},
-        grips={hand: GripSettings(*(data["gripper"][key] for key in _GRIP)) for hand in description.grippers},
-        noise=SensorNoise(**data["noise"]),
-        contact_effort_nm=_by_joint(contact, description, members),
-        walking=_walking(data.get("walking"), description, members),
-        health=HealthLimits(**data.get("health", {})),
+        gains={joint: ServoGains(servo.stiffness, servo.damping) for joint, servo in servos.items()},
+        grips={}
+        if gripper is None
+        else {
+            hand: GripSettings(
+                gripper.effort_nm,
+                gripper.closing_speed_rad_s,
+                gripper.empty_below_rad,
+                gripper.held_effort_nm,
+            )
+            for hand in description.grippers
+        },
+        noise=document.noise,
+        contact_effort_nm=by_joint(document.limits.contact),
+        walking=None
+        if gains is None
+        else replace(gains, joint_acceleration=by_joint(gains.joint_acceleration)),
+        health=document.health,
     )
-
-
-def _by_joint(by_kind: Table, description: RobotDescription, members: Table) -> dict[str, float]:
-    """Numbers of body joints, of those whose kind has one."""
-    kinds = {joint: kind_of(joint, members) for joint in description.joints}
-    return {joint: by_kind[kind] for joint, kind in kinds.items() if kind in by_kind}
-
-
-def _walking(data: Table | None, description: RobotDescription, members: Table) -> WalkingGains | None:
-    if data is None:
-        return None
-    numbers = {key: data[key] for key in WALKING_GAINS - {_BY_KIND}}
-    return WalkingGains(**numbers, joint_acceleration=_by_joint(data[_BY_KIND], description, members))

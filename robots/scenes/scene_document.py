@@ -16,43 +16,7 @@ from robots.scenes.scene_description import (
     RobotStart,
 )
 from robots.scenes.usual_properties import USUAL_FRICTION
-from robots.strict_table import Pair, StrictTable, Text, Triple, as_tuple
-
-
-class StartTable(StrictTable):
-    """``[robot_start]``."""
-
-    x_m: FiniteFloat = 0.0
-    y_m: FiniteFloat = 0.0
-    yaw_rad: FiniteFloat = 0.0
-
-    def value(self) -> RobotStart:
-        """What it says."""
-        return RobotStart(self.x_m, self.y_m, self.yaw_rad)
-
-
-_USUAL = PerceptionModel()
-
-
-class PerceptionTable(StrictTable):
-    """``[perception]``."""
-
-    kind: Literal["stub"] = "stub"
-    bias_m: FiniteFloat = _USUAL.bias_m
-    noise_m: FiniteFloat = _USUAL.noise_m
-    orientation_noise_rad: FiniteFloat = _USUAL.orientation_noise_rad
-    size_noise: FiniteFloat = _USUAL.size_noise
-    dropout: FiniteFloat = _USUAL.dropout
-    latency_s: FiniteFloat = _USUAL.latency_s
-    rate_hz: FiniteFloat = _USUAL.rate_hz
-    false_rate: FiniteFloat = _USUAL.false_rate
-    merge_distance_m: FiniteFloat = _USUAL.merge_distance_m
-    merge_chance: FiniteFloat = _USUAL.merge_chance
-    min_visible: FiniteFloat = _USUAL.min_visible
-
-    def value(self) -> PerceptionModel:
-        """What it says."""
-        return PerceptionModel(**self.model_dump())
+from robots.strict_table import AsTable, Pair, StrictTable, Text, Triple, as_tuple
 
 
 class _PieceTable(StrictTable):
@@ -157,32 +121,6 @@ class FridgeTable(_OpeningTable):
         )
 
 
-class PersonTable(StrictTable):
-    """``[[person]]``."""
-
-    name: Text
-    position_m: Pair
-    yaw_rad: FiniteFloat = 0.0
-    takes: bool = False
-
-    def value(self) -> Person:
-        """Who it is."""
-        return Person(self.name, self.position_m, self.yaw_rad, self.takes)
-
-
-class PlaceTable(StrictTable):
-    """``[[place]]``."""
-
-    name: Text
-    position_m: Pair
-    size_m: Pair
-    yaw_rad: FiniteFloat = 0.0
-
-    def value(self) -> Region:
-        """Where it is."""
-        return Region(self.name, self.position_m, self.size_m, self.yaw_rad)
-
-
 def _position(value: Any, info: ValidationInfo) -> Any:
     """Two numbers of what stands on furniture, three of what stands free."""
     return as_tuple(value, 3 if info.data.get("on") is None else 2)
@@ -257,9 +195,9 @@ AnyObject = Annotated[ObjectTable, Field(discriminator="kind")]
 class SceneDocument(StrictTable):
     """A scene file."""
 
-    robot_start: StartTable = StartTable()
-    perception: PerceptionTable = PerceptionTable()
+    robot_start: Annotated[RobotStart, AsTable()] = RobotStart()
+    perception: Annotated[PerceptionModel, AsTable()] = PerceptionModel()
     furniture: list[AnyFurniture] = Field(default_factory=list)
-    person: list[PersonTable] = Field(default_factory=list)
+    person: list[Annotated[Person, AsTable(yaw_rad=0.0)]] = Field(default_factory=list)
     object: list[AnyObject] = Field(default_factory=list)
-    place: list[PlaceTable] = Field(default_factory=list)
+    place: list[Annotated[Region, AsTable()]] = Field(default_factory=list)

@@ -102,12 +102,12 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
     pieces = tuple(table.value() for table in document.furniture)
     scene = SceneDescription(
         name=name,
-        robot_start=document.robot_start.value(),
-        perception=document.perception.value(),
+        robot_start=document.robot_start,
+        perception=document.perception,
         furniture=pieces,
         objects=tuple(_item(table, pieces, source, i) for i, table in enumerate(document.object)),
-        people=tuple(table.value() for table in document.person),
-        places=tuple(table.value() for table in document.place),
+        people=tuple(document.person),
+        places=tuple(document.place),
     )
     validate(scene, source)
     return scene
