@@ -182,7 +182,13 @@ def _told(problem: ErrorDetails, data: Any) -> tuple[str, str]:
             return key, unknown_word(name, given, _words(context))
         case "said":
             return key, problem["msg"]
-        case "list_type":
+        case "literal_error":
+            return key, f"must be one of {', '.join(_words(context))}, not {given!r}"
+        case "greater_than":
+            return key, f"must be above {context['gt']:g}, not {given!r}"
+        case "greater_than_equal":
+            return key, f"must be {context['ge']:g} or more, not {given!r}"
+        case "list_type" | "too_short":
             return key, f"must be a list of tables: write [[{key}]]"
     return key, _EXPECTED[problem["type"]].format(given) if problem["type"] in _EXPECTED else problem["msg"]
 
@@ -192,7 +198,6 @@ _EXPECTED = {
     "int_type": "must be a whole number, not {!r}",
     "finite_number": "must be finite, not {!r}",
     "string_type": "must be a text in quotes, not {!r}",
-    "literal_error": "must be a text in quotes, not {!r}",
     "bool_type": "must be true or false, not {!r}",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",
