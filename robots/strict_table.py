@@ -63,7 +63,7 @@ Triple = Annotated[tuple[FiniteFloat, FiniteFloat, FiniteFloat], BeforeValidator
 class StrictTable(BaseModel):
     """A table with declared keys; numbers are finite, and nothing but whole numbers is converted."""
 
-    model_config = ConfigDict(strict=True, extra="allow", allow_inf_nan=False, frozen=True)
+    model_config = ConfigDict(strict=True, extra="allow", allow_inf_nan=False, frozen=True, defer_build=True)
 
     @model_validator(mode="before")
     @classmethod

@@ -70,7 +70,7 @@ class GainTable(StrictTable):
 class GainsTable(BaseModel):
     """``[gains]``: a table for each kind of joint, whatever it is called, and which joints are of it."""
 
-    model_config = ConfigDict(strict=True, extra="allow", allow_inf_nan=False, frozen=True)
+    model_config = ConfigDict(strict=True, extra="allow", allow_inf_nan=False, frozen=True, defer_build=True)
     __pydantic_extra__: dict[str, GainTable]
 
     members: dict[str, Annotated[str, AfterValidator(_pattern)]]
