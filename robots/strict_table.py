@@ -134,7 +134,7 @@ def _readable(hint: Any) -> Any:
         return Annotated[hint, AsTable()]
     if get_origin(hint) is UnionType:
         return Union[tuple(map(_readable, get_args(hint)))]  # noqa: UP007  (made of values)
-    if get_origin(hint) is tuple:
+    if get_origin(hint) is tuple and Ellipsis not in get_args(hint):
         return Annotated[hint, BeforeValidator(partial(as_tuple, count=len(get_args(hint))))]
     return hint
 
