@@ -23,7 +23,7 @@ from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.pick import PickPlan
 from kinematics.requests.request import Request
-from robots.models.description import load_description_for_tasks
+from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.beliefs.grounding.report_words import kinds_in
@@ -186,7 +186,7 @@ class _Rehearsal:
         """Rehearse a command, with one gaze after the other until what it is about is seen."""
         leave_opengl_to_the_renderer()
         self.notes.append(wording(command))
-        camera = load_description_for_tasks(self._place[0]).camera
+        camera = load_robot_for_tasks(self._place[0]).description.camera
         gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
         for gaze in gazes:
             result = self._look(

@@ -30,7 +30,7 @@ from kinematics.formats.trajectory_fit import stored_from
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from robots.clock import WallClock
-from robots.models.description import load_description_for_tasks
+from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import known_scenes, load_scene
 from trees.failures import Failure
@@ -153,7 +153,7 @@ def _write_reports(request: RunRequest, report: Report, results: Sequence[Said])
 
 def _preflight(request: RunRequest) -> SceneDescription:
     """Find what is wrong with the request before anything is built."""
-    load_description_for_tasks(request.robot)
+    load_robot_for_tasks(request.robot)
     scene = load_scene(request.scene)
     for path in (request.report, request.snapshot, request.video, request.junit):
         if path is not None:

@@ -18,7 +18,8 @@ from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
-from robots.models.description import load_description_for_tasks
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot_for_tasks
 from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
 from robots.scenes.planned_fault import PlannedFault
@@ -92,12 +93,13 @@ def assemble(
     """
     sink = EventHub(sink)
     chance = seeded(seed)
-    description = load_description_for_tasks(robot)
+    data = load_robot_for_tasks(robot)
+    description = data.description
     if posture:
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
-    world = build_world(description, scene, chance.world)
+    world = build_world(RobotData(description, data.hardware), scene, chance.world)
 
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)

@@ -147,7 +147,7 @@ class DynamicsCheck:
         self._settings = settings
         self._data = model.pin.createData()
         self._armature = np.array(
-            [model.description.gains[name].armature for name in model.joints], dtype=np.float64
+            [model.description.armature[name] for name in model.joints], dtype=np.float64
         )
 
     def findings(self, trajectory: Trajectory, timeline: Timeline) -> tuple[list[Finding], float]:

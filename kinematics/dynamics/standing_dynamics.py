@@ -28,7 +28,7 @@ class StandingDynamics:
         self._model = model.pin
         self._data = model.pin.createData()
         self._armature = np.array(
-            [model.description.gains[name].armature for name in model.joints], dtype=np.float64
+            [model.description.armature[name] for name in model.joints], dtype=np.float64
         )
         self._shares = SoleShares(stance, model.description.soles)
         self._chains = [chain_columns(model, frame) for frame, _ in stance.soles]

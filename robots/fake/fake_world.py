@@ -27,6 +27,7 @@ from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
 from robots.perception.truth_view import TrueObject
@@ -51,6 +52,7 @@ class FakeWorld:
     def __init__(
         self,
         model: RobotModel,
+        hardware: Hardware,
         check: Callable[[CheckRequest], CheckedTrajectory | Unsafe],
         objects: Iterable[TrueObject],
         period_s: float = 0.02,
@@ -60,6 +62,7 @@ class FakeWorld:
 
         Args:
             model: The robot.
+            hardware: What it is made of.
             check: Judges trajectories.
             objects: What is in the world.
             period_s: Time that ``step`` lets pass.
@@ -67,7 +70,7 @@ class FakeWorld:
         """
         self.model, self.clock = model, ManualClock()
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
-        self.robot = FakeRobot(model.description, self.clock)
+        self.robot = FakeRobot(RobotData(model.description, hardware), self.clock)
         self.motion = FakeMotion(model, self.clock)
         self._q = self.motion.reference()
         self._placed: tuple[NDArray[np.float64], list[float]] | None = None
@@ -77,7 +80,9 @@ class FakeWorld:
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
         self.grippers: Mapping[Hand, FakeGripper] = {
-            hand: FakeGripper(model.description.grippers[hand], self.world, self.motion, self._pose_of)
+            hand: FakeGripper(
+                model.description.grippers[hand], hardware.grips[hand], self.world, self.motion, self._pose_of
+            )
             for hand in HANDS
         }
         self.detector = ScriptedDetector(self.world, camera, self.clock)

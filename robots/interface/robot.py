@@ -10,6 +10,7 @@ from typing import Protocol
 
 from kinematics.arrays import Array, InFloat64
 from kinematics.model.robot_description import RobotDescription
+from robots.interface.hardware import Hardware
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,12 @@ class Robot(Protocol):
 
     @property
     def description(self) -> RobotDescription:
-        """The robot's data."""
+        """Where the robot's parts are."""
+        ...
+
+    @property
+    def hardware(self) -> Hardware:
+        """What it is made of."""
         ...
 
     def read(self) -> RobotState:

@@ -12,10 +12,12 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.loop.emergency_stop import EmergencyStop
 from robots.fake.fake_world import FakeWorld, cup, table
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from trees.policy import TreePolicy
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
+
+HARDWARE = load_robot("talos").hardware
 
 QUICK = TreePolicy(look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2)
 
@@ -61,7 +63,7 @@ class FakeStage:
     """A session with a fake robot at a table, and what it told."""
 
     def __init__(self, model, *things, places=(), guarded=False):
-        self.fake, self.events = FakeWorld(model, believed, [table(), *things]), []
+        self.fake, self.events = FakeWorld(model, HARDWARE, believed, [table(), *things]), []
         toolbox = Toolbox(
             clock=self.fake.clock, model=model, motion=self.fake.motion, sensing=self.fake.sensing,
             grippers=self.fake.grippers, detector=self.fake.detector, planning=self.fake.planning,

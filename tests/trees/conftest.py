@@ -21,7 +21,7 @@ from kinematics.requests.pick import PickRequest
 from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from trees.build import build_tree
 from trees.nodes.leaf import Leaf
 from trees.policy import TreePolicy
@@ -29,6 +29,8 @@ from trees.port_values import CheckedStep, Step, Target
 from trees.tasks import ObjectDescription, PickTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
+
+HARDWARE = load_robot("talos").hardware
 
 QUICK = TreePolicy(
     look_frames=2,
@@ -95,7 +97,7 @@ class Stage:
         motion_s=2 * PERIOD_S,
     ):
         things = [table(), cup()] if objects is None else objects
-        self.fake = FakeWorld(model, believed, things, period_s, dynamics)
+        self.fake = FakeWorld(model, HARDWARE, believed, things, period_s, dynamics)
         self.events = []
         self.told = WorldModel()
         self.toolbox = Toolbox(

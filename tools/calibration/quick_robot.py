@@ -20,6 +20,8 @@ from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_world import FakeWorld
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_description import SceneDescription
 from robots.seeded import seeded
@@ -60,9 +62,10 @@ class QuickRobot:
 
     def __init__(self, model: RobotModel, scene: SceneDescription, seed: int) -> None:
         chance = seeded(seed)
-        self.world: SimulatedWorld = build_world(model.description, scene, chance.world)
+        hardware = load_robot(model.description.name).hardware
+        self.world: SimulatedWorld = build_world(RobotData(model.description, hardware), scene, chance.world)
         checker = TrajectoryChecker(model)
-        fake = FakeWorld(model, partial(_checked, checker), (), _PERIOD_S)
+        fake = FakeWorld(model, hardware, partial(_checked, checker), (), _PERIOD_S)
         fake.motion = QuickMotion(model, fake.clock)
         self._fake = fake
         camera = model.description.camera

@@ -78,7 +78,7 @@ def serve(
     from executive.runs.run_log import require_recordable
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
-    from robots.models.description import load_description_for_tasks
+    from robots.models.description import load_robot_for_tasks
     from robots.scenes.scene_file import known_scenes, load_scene
 
     del plain  # nothing is drawn here
@@ -89,7 +89,7 @@ def serve(
             typer.echo(line, err=True)
 
     leave_opengl_to_the_renderer()
-    load_description_for_tasks(robot)
+    load_robot_for_tasks(robot)
     load_scene(scene)
     if scene not in known_scenes():
         scene = str(Path(scene).absolute())  # who sends a script may be in another folder

@@ -7,6 +7,7 @@ from robots.control.health.arm_resistance import ArmResistance
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response
 from robots.control.health.joint_health import JointHealth
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint
 from robots.interface.sensed_state import SensedState
 
@@ -27,11 +28,11 @@ class HealthMonitor:
         findings: What is wrong now.
     """
 
-    def __init__(self, model: RobotModel, period_s: float) -> None:
+    def __init__(self, model: RobotModel, hardware: Hardware, period_s: float) -> None:
         self.findings: dict[tuple[Ailment, str], Finding] = {}
-        self._joints = JointHealth(model.description, period_s)
-        self._resistance = ArmResistance(model, period_s)
-        self._body = BodyHealth(model, period_s)
+        self._joints = JointHealth(RobotData(model.description, hardware), period_s)
+        self._resistance = ArmResistance(model, hardware, period_s)
+        self._body = BodyHealth(model, hardware.health, period_s)
         self._counts: dict[tuple[Ailment, str], int] = {}
         self._seen_s: dict[tuple[Ailment, str], float] = {}
 

@@ -23,6 +23,7 @@ from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
+from robots.interface.hardware import Hardware
 from robots.interface.robot import RobotState
 
 _AT_REST_PERIODS = 3
@@ -38,10 +39,15 @@ class Walk:
     """
 
     def __init__(
-        self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
+        self,
+        model: RobotModel,
+        hardware: Hardware,
+        streamer: MotionStreamer,
+        gyro_at_rest: Array,
+        period_s: float,
     ) -> None:
-        settings = model.description.walking
-        if settings is None:
+        settings, gains = model.description.walking, hardware.walking
+        if settings is None or gains is None:
             raise RuntimeError("the robot is not known to walk")
         self._model, self._period_s = model, period_s
         placed, q = levelled(model, streamer.reference(), dict(streamer.stance().soles))
@@ -62,10 +68,10 @@ class Walk:
             self._body.omega,
             self._body.sway_s2,
         )
-        self._stabiliser = Stabiliser(model, settings, self._body.omega)
+        self._stabiliser = Stabiliser(model, settings, gains, self._body.omega)
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
         self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
-        self._soft_ankles = SoftAnkles(model, settings)
+        self._soft_ankles = SoftAnkles(model, hardware.gains, gains)
         self._fitted_ankles = FittedAnkles(model, streamer.reference()[7:] - q[7:], period_s)
         self._floor = FloorFinding(
             {side: round(float(pose[2, 3]), 6) for side, pose in anchors.items()}, period_s
@@ -75,7 +81,7 @@ class Walk:
         self._outside = OutsideForce(model.mass_kg, sides, period_s)
         self.held_back: Refusal | None = None
         self._wrench: Array | None = None
-        self._most = settings.effort_share * model.effort
+        self._most = gains.effort_share * model.effort
         self._read: tuple[Array, Array] | None = None
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None

@@ -31,11 +31,11 @@ def test_a_failure_is_read_as_it_was_written(failure):
 
 @pytest.mark.parametrize("failure", FAILURES)
 def test_a_failure_is_written_as_the_schema_of_reports_has_it(failure):
-    jsonschema.validate(failure.to_json(), {"$ref": "#/$defs/failure", "$defs": SCHEMA["$defs"]})
+    jsonschema.validate(failure.to_json(), {"$ref": "#/$defs/FailureDocument", "$defs": SCHEMA["$defs"]})
 
 
 def test_the_schema_of_reports_has_every_reason_that_is_told_apart():
-    known = SCHEMA["$defs"]["failure"]["properties"]["reason"]["enum"]
+    known = SCHEMA["$defs"]["FailureDocument"]["properties"]["reason"]["enum"]
 
     assert known == [reason.name for reason in Reason if reason is not Reason.KIND_ONLY]
 

@@ -41,7 +41,7 @@ def refused(text):
 
 @pytest.mark.requirement("L7")
 def test_the_published_schema_is_that_of_the_code():
-    assert model_output_schema() == SCHEMA, "run python -m tools.documents.model_output_schema"
+    assert model_output_schema() == SCHEMA, "run python -m tools.documents.schemas"
 
 
 @pytest.mark.requirement("L7")

@@ -75,8 +75,8 @@ def test_a_motion_on_a_platform_is_judged_as_it_is_on_the_floor(talos, stance, i
 @pytest.mark.parametrize("is_compiled", [True, False])
 def test_what_turns_the_rotors_is_in_the_judged_efforts(talos, stance, is_compiled):
     trajectory = hasty(talos, stance, 1)
-    light = {name: replace(gains, armature=0.0) for name, gains in talos.description.gains.items()}
-    without = RobotModel(replace(talos.description, gains=light))
+    light = dict.fromkeys(talos.description.armature, 0.0)
+    without = RobotModel(replace(talos.description, armature=light))
 
     at, torques, _ = judged(talos, trajectory, is_compiled)
     _, without_rotors, _ = judged(without, trajectory, is_compiled)
@@ -85,7 +85,7 @@ def test_what_turns_the_rotors_is_in_the_judged_efforts(talos, stance, is_compil
     window = DEFAULT_SETTINGS.acceleration_window_s
     t = np.clip(np.stack([at.t_s - window, at.t_s + window]), 0.0, trajectory.duration_s)
     before, after = (np.interp(row, trajectory.t_s, trajectory.v[:, 6 + joint]) for row in t)
-    armature = talos.description.gains[talos.joints[joint]].armature
+    armature = talos.description.armature[talos.joints[joint]]
     wanted = armature * (after - before) / (t[1] - t[0])
     assert np.abs(wanted).max() > 0.1
     np.testing.assert_allclose(torques[:, joint] - without_rotors[:, joint], wanted, atol=1e-7)

@@ -70,7 +70,7 @@ def test_the_efforts_of_a_motion_do_the_work_that_the_energy_takes(talos, stance
     arm = 6 + talos.group("left_arm")
     v[arm] = np.linspace(0.2, 0.8, 7)
     a[arm] = np.linspace(-2.0, 1.0, 7)
-    armature = np.array([talos.description.gains[name].armature for name in talos.joints])
+    armature = np.array([talos.description.armature[name] for name in talos.joints])
     data, step = talos.pin.createData(), 1e-6
 
     def energy(t):

@@ -6,6 +6,9 @@ from kinematics.estimation.base_estimator import BaseEstimator
 from kinematics.geometry import poses
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -35,7 +38,7 @@ class Walkthrough:
         wrench = np.zeros((2, 6))
         wrench[:, 2] = self.loads
         if self.rng is not None:
-            noise = self.model.description.noise
+            noise = HARDWARE.noise
             measured += self.rng.normal(0.0, noise.joint_position_rad, measured.shape)
             gyro = gyro + self.rng.normal(0.0, noise.gyro_rad_s, 3)
             accelerometer = accelerometer + self.rng.normal(0.0, noise.accelerometer_m_s2, 3)

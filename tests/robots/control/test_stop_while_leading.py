@@ -10,6 +10,9 @@ from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 REST_WITHIN_S = 0.5
 LED_M = 0.08
@@ -22,7 +25,16 @@ def led(rig):
     place = rig.model.frame_pose(q, "tcp_left")[:3, 3]
     line, stance = DrawerLine(place, 0.0), stance_at(rig.model, q)
     motion = YieldingHand(
-        StandingRobot(rig.model, stance), "left", q, PlanningScene(), (), line, 0.0, 0.25, holding=False
+        StandingRobot(rig.model, stance),
+        "left",
+        q,
+        PlanningScene(),
+        (),
+        line,
+        0.0,
+        0.25,
+        grip=HARDWARE.grips["left"],
+        holding=False,
     )
     handle = rig.loop.motion.start(motion)
     rig.run_until(lambda: motion.report.s >= LED_M, within_s=6.0)
@@ -69,6 +81,7 @@ def led_again(rig):
         DrawerLine(place, 0.0),
         0.0,
         0.05,
+        grip=HARDWARE.grips["left"],
         holding=False,
     )
     handle = rig.loop.motion.start(motion)

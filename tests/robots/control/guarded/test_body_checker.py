@@ -23,6 +23,9 @@ from robots.control.guarded.body_checker import BodyChecker
 from robots.control.hands.yield_settings import YieldSettings
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 EMPTY = YieldSettings(lost_s=99.0)
 """For hands that hold nothing."""
@@ -42,6 +45,7 @@ def led_home(model, scene, s_to=0.12):
         line,
         0.0,
         s_to,
+        grip=HARDWARE.grips["left"],
         bias=np.zeros(6),
         settings=EMPTY,
     )

@@ -14,6 +14,9 @@ from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.interface.robot import RobotState
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -44,7 +47,7 @@ class Held:
     def _state(self, k, body, force):
         model, data = self._model, self._data
         effort = pin.rnea(model.pin, data, body.q, body.v, body.a)[6:]
-        armature = [model.description.gains[joint].armature for joint in model.joints]
+        armature = [model.description.armature[joint] for joint in model.joints]
         effort = effort + np.array(armature) * body.a[6:] + 1.0 * body.v[6:]
         pin.computeJointJacobians(model.pin, data, body.q)
         pin.updateFramePlacement(model.pin, data, self._frame)
@@ -67,7 +70,17 @@ def at_handle(talos):
 def leading(model, q, path, s_to, **more):
     scene, stance = PlanningScene(), stance_at(model, q)
     return YieldingHand(
-        StandingRobot(model, stance), "left", q, scene, (), path, 0.0, s_to, bias=np.zeros(6), **more
+        StandingRobot(model, stance),
+        "left",
+        q,
+        scene,
+        (),
+        path,
+        0.0,
+        s_to,
+        grip=HARDWARE.grips["left"],
+        bias=np.zeros(6),
+        **more,
     )
 
 
@@ -145,6 +158,7 @@ def test_a_closing_drawer_that_meets_its_frame_has_arrived(talos, at_handle):
         line,
         0.1,
         -0.05,
+        grip=HARDWARE.grips["left"],
         bias=np.zeros(6),
         stop_from=0.05,
     )
