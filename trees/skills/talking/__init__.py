@@ -1,1 +1,31 @@
 """Say and wait."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trees.skill import Skill
+from trees.tasks import SayTask, WaitTask
+
+if TYPE_CHECKING:
+    from py_trees.behaviour import Behaviour
+
+    from trees.toolbox import Toolbox
+
+
+def _say(_task: SayTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.talking.tree import say
+
+    return say(toolbox)
+
+
+def _wait(_task: WaitTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.talking.tree import wait
+
+    return wait(toolbox)
+
+
+SKILLS = (
+    Skill(task=SayTask, tree=_say, example="say hello", toward="to", before=frozenset()),
+    Skill(task=WaitTask, tree=_wait, example="wait 5 seconds", before=frozenset()),
+)
