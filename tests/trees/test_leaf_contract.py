@@ -30,7 +30,7 @@ from trees.tasks import HandOverTask, PickTask, PlaceTask
 
 LEAVES = [leaf for leaf in known_leaves().values() if leaf.__module__.startswith("trees.")]
 # Skills of other packages that are installed here are held to the same contract.
-TREES = {skill.task: skill.tree for skill in skills().values()}
+TREES = {type(task): skills()[task.action].tree for task in TASKS.values()}
 LEAVES += [leaf for leaf in outside_leaves().leaves if leaf not in LEAVES]
 
 LONGEST = 400
