@@ -7,7 +7,6 @@ from py_trees.composites import Sequence
 
 from trees.nodes.best_effort import BestEffort
 from trees.registry import skill_of, skills
-from trees.skill import Before
 from trees.skills.doors.leave_handle import leave_handle
 from trees.skills.home.hand_about import objects_in_open_grasp
 from trees.skills.home.leave_object import leave_object
@@ -42,7 +41,7 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     if skill is None:
         raise NoSkillError(task)
     root = skill.tree(task, toolbox)
-    first = _clear_hands(toolbox) if Before.HANDS_CLEAR in skill.before else []
+    first = [] if skill.hands_stay else _clear_hands(toolbox)
     if first:
         root = Sequence(root.name, memory=True, children=[*first, root])
     return TaskTree(task, root, toolbox)

@@ -21,11 +21,18 @@ Evidence = Mapping[str, bool | float | int | str]
 
 
 class Before(Enum):
-    """Something that has to be true before a skill begins; the value says it in words."""
+    """Something that has to be true before a skill begins; the value says it in words.
 
-    HANDS_CLEAR = (
-        "no hand is where a cancelled task left it: about a thing, at a handle, or low over furniture"
-    )
+    An errand brings it about by tasks of their own: it walks, opens, picks up. It reads the slots that are
+    named here, of whichever task has them.
+    """
+
+    THING_AT_HAND = "its ``object``, said to be at ``source``, is within reach of where the robot stands"
+    THING_HELD = "its ``object`` is in a hand"
+    SOURCE_OPEN = "where its ``object`` is said to be, ``source``, stands open"
+    GOAL_OPEN = "what its ``object`` goes into, ``to``, stands open"
+    AT_GOAL = "the robot stands before where its ``object`` goes or whom it is for: ``to``, or ``person``"
+    SOURCE_IN_VIEW = "the robot stands before the furniture that it is asked about, ``source``"
 
 
 class Need(Enum):
@@ -69,6 +76,9 @@ class Skill:
         claim: Says what was done, from the sentence, the noun of its object and the evidence.
         needs: What a robot has to have for it. Where something is missing nothing begins to move.
         before: What has to be true before it begins; what is not so is brought about first.
+        hands_stay: Whether the hands stay where a cancelled task left them: about a thing, at a handle, or
+            low over furniture. Otherwise they are taken from there first.
+        goes_away: Whether the robot may be elsewhere afterwards, where "me" and "here" mean something else.
     """
 
     task: type[Any]
@@ -80,7 +90,9 @@ class Skill:
     toward: str = ""
     claim: Callable[[str, str, Evidence], str] = as_asked
     needs: frozenset[Need] = frozenset()
-    before: frozenset[Before] = frozenset({Before.HANDS_CLEAR})
+    before: frozenset[Before] = frozenset()
+    hands_stay: bool = False
+    goes_away: bool = False
 
     @property
     def action(self) -> str:

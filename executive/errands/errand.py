@@ -15,6 +15,7 @@ from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
 from executive.errands.impossible import impossible
 from executive.errands.nearness import Nearness
+from executive.errands.required import handles
 from executive.errands.unsaid_steps import (
     Known,
     Prepared,
@@ -36,7 +37,6 @@ from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
 from trees.failures import Failure, FailureKind
 from trees.tasks import (
-    Bringing,
     Destination,
     HandOverTask,
     ObjectDescription,
@@ -151,7 +151,7 @@ class Errand:
             return (
                 unseen and not self._walked_with and not step.is_reached and _may_be_elsewhere(asked, known)
             )
-        if not isinstance(command, Bringing) or command.count != 1:
+        if not handles(command) or command.count != 1:
             return False
         carries = self._carries(command)
         if carries in self._walked_with or (step.is_reached and not carries):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
+from executive.errands.required import handles
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
 from trees.beliefs.grounding.report_words import listed
@@ -59,7 +60,7 @@ def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossibl
         known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
         return Impossible(command, f"there is no {room} on the map; {known}", room)
     for command in commands:
-        if isinstance(command, Bringing) and any(map(_is_floor, _places(command))):
+        if handles(command) and any(map(_is_floor, _places(command))):
             return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
         if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
             return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")

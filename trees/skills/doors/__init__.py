@@ -26,6 +26,8 @@ def _close(_task: CloseTask, toolbox: Toolbox) -> Behaviour:
 
 
 SKILLS = (
-    Skill(task=OpenTask, tree=_open, example="open the fridge", needs=frozenset({Need.HAND})),
-    Skill(task=CloseTask, tree=_close, example="close the drawer", needs=frozenset({Need.HAND})),
+    Skill(task=OpenTask, tree=_open, example="open the fridge", needs=frozenset({Need.HAND}), goes_away=True),
+    Skill(
+        task=CloseTask, tree=_close, example="close the drawer", needs=frozenset({Need.HAND}), goes_away=True
+    ),
 )

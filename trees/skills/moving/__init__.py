@@ -19,4 +19,10 @@ def _tree(_task: MoveTask, toolbox: Toolbox) -> Behaviour:
     return move(toolbox)
 
 
-SKILL = Skill(task=MoveTask, tree=_tree, example="move forward for 2 seconds", needs=frozenset({Need.LEGS}))
+SKILL = Skill(
+    task=MoveTask,
+    tree=_tree,
+    example="move forward for 2 seconds",
+    needs=frozenset({Need.LEGS}),
+    goes_away=True,
+)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Evidence, Need, Skill
+from trees.skill import Before, Evidence, Need, Skill
 from trees.tasks import PickTask
 
 if TYPE_CHECKING:
@@ -45,4 +45,5 @@ SKILL = Skill(
     verb="pick up",
     claim=_claim,
     needs=frozenset({Need.HAND}),
+    before=frozenset({Before.THING_AT_HAND, Before.SOURCE_OPEN}),
 )

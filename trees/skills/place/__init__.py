@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Need, Skill
+from trees.skill import Before, Need, Skill
 from trees.tasks import PlaceTask
 
 if TYPE_CHECKING:
@@ -24,4 +24,5 @@ SKILL = Skill(
     tree=_tree,
     example="put the red cup next to the bottle",
     needs=frozenset({Need.HAND}),
+    before=frozenset({Before.THING_AT_HAND, Before.THING_HELD, Before.AT_GOAL}),
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Need, Skill
+from trees.skill import Before, Need, Skill
 from trees.tasks import PutInTask
 
 if TYPE_CHECKING:
@@ -29,4 +29,5 @@ SKILL = Skill(
     verb="put",
     toward="in",
     needs=frozenset({Need.HAND}),
+    before=frozenset({Before.THING_AT_HAND, Before.THING_HELD, Before.AT_GOAL, Before.GOAL_OPEN}),
 )

@@ -26,6 +26,6 @@ def _wait(_task: WaitTask, toolbox: Toolbox) -> Behaviour:
 
 
 SKILLS = (
-    Skill(task=SayTask, tree=_say, example="say hello", toward="to", before=frozenset()),
-    Skill(task=WaitTask, tree=_wait, example="wait 5 seconds", before=frozenset()),
+    Skill(task=SayTask, tree=_say, example="say hello", toward="to", hands_stay=True),
+    Skill(task=WaitTask, tree=_wait, example="wait 5 seconds", hands_stay=True),
 )

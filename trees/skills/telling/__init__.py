@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Skill, as_answered
+from trees.skill import Before, Skill, as_answered
 from trees.tasks import CountTask, DescribeTask, FindTask
 
 if TYPE_CHECKING:
@@ -34,19 +34,27 @@ def _describe(_task: DescribeTask, toolbox: Toolbox) -> Behaviour:
 
 
 SKILLS = (
-    Skill(task=FindTask, tree=_find, example="find the red cup", claim=as_answered),
+    Skill(
+        task=FindTask,
+        tree=_find,
+        example="find the red cup",
+        claim=as_answered,
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+    ),
     Skill(
         task=CountTask,
         tree=_count,
         example="how many cups are there",
         claim=as_answered,
-        before=frozenset(),
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+        hands_stay=True,
     ),
     Skill(
         task=DescribeTask,
         tree=_describe,
         example="what is on the table",
         claim=as_answered,
-        before=frozenset(),
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+        hands_stay=True,
     ),
 )

@@ -19,4 +19,6 @@ def _tree(_task: WalkToTask, toolbox: Toolbox) -> Behaviour:
     return walk_to(toolbox)
 
 
-SKILL = Skill(task=WalkToTask, tree=_tree, example="walk to the table", needs=frozenset({Need.LEGS}))
+SKILL = Skill(
+    task=WalkToTask, tree=_tree, example="walk to the table", needs=frozenset({Need.LEGS}), goes_away=True
+)
