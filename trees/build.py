@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.nodes.best_effort import BestEffort
+from trees.readiness import clear_hands
 from trees.registry import skill_of, skills
-from trees.skills.doors.leave_handle import leave_handle
-from trees.skills.home.hand_about import objects_in_open_grasp
-from trees.skills.home.leave_object import leave_object
-from trees.skills.home.lift_clear import LiftClear, held_near_support
 from trees.task_tree import TaskTree
 from trees.tasks import Task
 from trees.toolbox import Toolbox
@@ -41,17 +36,7 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     if skill is None:
         raise NoSkillError(task)
     root = skill.tree(task, toolbox)
-    first = [] if skill.hands_stay else _clear_hands(toolbox)
+    first = [] if skill.hands_stay else clear_hands(toolbox)
     if first:
         root = Sequence(root.name, memory=True, children=[*first, root])
     return TaskTree(task, root, toolbox)
-
-
-def _clear_hands(toolbox: Toolbox) -> list[Behaviour]:
-    """What takes the hands from where a cancelled task left them; nothing where they are clear."""
-    first: list[Behaviour] = [leave_object(toolbox, about) for about in objects_in_open_grasp(toolbox)]
-    if toolbox.world.at_handle is not None:
-        first.append(leave_handle(toolbox))
-    if held_near_support(toolbox) is not None:
-        first.append(BestEffort(LiftClear("lift it clear", toolbox)))
-    return first

@@ -38,8 +38,8 @@ class Before(Enum):
 class Need(Enum):
     """Something that a robot has to have; the value names it."""
 
-    HAND = "a hand that grips"
-    ARM = "an arm"
+    HAND = "hand that grips"
+    ARM = "arm"
     LEGS = "legs to walk with"
 
 

@@ -13,7 +13,7 @@ from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion
 from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
-from executive.errands.impossible import impossible
+from executive.errands.impossible import beyond
 from executive.errands.nearness import Nearness
 from executive.errands.required import handles
 from executive.errands.unsaid_steps import (
@@ -239,7 +239,7 @@ class Errand:
             self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
             failure = Failure(FailureKind.REFUSED, message)
             return TaskResult(command.text, command.action, "refused", failure=failure)
-        why = impossible(self._commands, self._session.toolbox.places)
+        why = beyond(self._commands, self._session.toolbox)
         if why is None:
             return None
         self._session.tell(TaskRefused(self._session.now_s, why.command.text, why.message, why.word))

@@ -9,7 +9,11 @@ from executive.errands.required import handles
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
 from trees.beliefs.grounding.report_words import listed
+from trees.readiness import lacking
+from trees.registry import skill_of
+from trees.skill import Need
 from trees.tasks import Bringing, ObjectDescription, PlaceTask
+from trees.toolbox import Toolbox
 
 
 def missing_room(commands: Sequence[Command], rooms: Collection[str]) -> tuple[Command, str] | None:
@@ -45,6 +49,29 @@ class Impossible:
     command: Command
     message: str
     word: str
+
+
+def beyond(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | None:
+    """The first command that cannot be done here, or for which the robot lacks something; None without one.
+
+    Args:
+        commands: What was said.
+        toolbox: Knows the robot, and the rooms on the map.
+    """
+    found = impossible(commands, toolbox.places)
+    return _lacks_for(commands, toolbox) if found is None else found
+
+
+def _lacks_for(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | None:
+    """The first command for which the robot lacks something."""
+    for command in commands:
+        skill = skill_of(command)
+        lacks = None if skill is None else lacking(skill, toolbox)
+        if lacks is not None:
+            name = toolbox.model.description.name
+            told = f"{name} cannot walk here" if lacks is Need.LEGS else f"{name} has no {lacks.value} here"
+            return Impossible(command, told, command.action)
+    return None
 
 
 def impossible(commands: Sequence[Command], rooms: Collection[str]) -> Impossible | None:

@@ -258,7 +258,9 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, fails="", failure=STUCK):
-        self.toolbox = SimpleNamespace(can_walk=True, places=("kitchen", "living room"))
+        self.toolbox = SimpleNamespace(
+            can_walk=True, places=("kitchen", "living room"), grippers={"right": None}
+        )
         self.told, self.fails, self.failure = [], fails, failure
 
     def request(self):
