@@ -1,7 +1,8 @@
-"""A new built-in skill is one new folder and one new file of words: nothing else has to be touched."""
+"""The built-in skill of the guide is one new folder and one new file of words: nothing else is touched."""
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -12,70 +13,8 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("executive", "trees", "robots", "kinematics")
 
-RECORD = '''"""Take a bow."""
-
-from __future__ import annotations
-
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-from trees.api import Destination, Skill
-
-if TYPE_CHECKING:
-    from trees.api import Behaviour, Toolbox
-
-
-@dataclass(frozen=True, slots=True)
-class BowTask:
-    """Bow, to a person or to everybody."""
-
-    text: str
-    person: Destination | None = None
-
-    action = "bow"
-
-
-def _tree(_task: BowTask, toolbox: Toolbox) -> Behaviour:
-    from trees.skills.bow.tree import bow
-
-    return bow(toolbox)
-
-
-SKILL = Skill(task=BowTask, tree=_tree, example="take a bow", toward="to")
-'''
-TREE = '''"""Lean forward, and rise."""
-
-from __future__ import annotations
-
-from trees.api import Behaviour, Contract, GoHome, MoveRequest, PlannedMotionLeaf, Toolbox, ports, tidily
-
-
-class LeanForward(PlannedMotionLeaf):
-    """Bend the trunk."""
-
-    INPUT_PORTS, OUTPUT_PORTS = ports(), ports()
-    CONTRACT = Contract("none", "the trunk is measured to be bent", deadline_s=30.0, moves="body")
-
-    def goal(self) -> MoveRequest:
-        """As far as is polite."""
-        motion, model = self.toolbox.motion, self.toolbox.model
-        joints = {model.description.camera.lean_joint: 0.5}
-        start, stance, scene = motion.reference(), motion.stance(), self.toolbox.world.scene
-        return MoveRequest(q_start=start, stance=stance, scene=scene, joints=joints, keep_others=True)
-
-
-def bow(toolbox: Toolbox) -> Behaviour:
-    """The whole skill."""
-    return tidily("bow", [LeanForward("lean", toolbox), GoHome("rise", toolbox)], toolbox)
-'''
-WORDS = """# Bowing.
-
-[SKILL]
-words.bow = ["bow", "take a [deep] bow"]
-
-[SKILL_AT]
-words.bow = ["bow to"]
-"""
+GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
+RECORD, TREE, WORDS = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)[:3]
 ASKED = """
 import json
 from executive.checks.tree_preview import preview, preview_document, preview_of_document
