@@ -53,6 +53,11 @@ def as_answered(text: str, _subject: str, evidence: Evidence) -> str:
     return str(evidence.get("said", text))
 
 
+def no_longer(_task: Any) -> float:
+    """What a task lasts of which nobody says how long."""
+    return 0.0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Skill:
     """One skill.
@@ -78,6 +83,7 @@ class Skill:
         before: What has to be true before it begins; what is not so is brought about first.
         hands_stay: Whether the hands stay where a cancelled task left them: about a thing, at a handle, or
             low over furniture. Otherwise they are taken from there first.
+        lasts_s: How long a task goes on because that was said, beyond the time that any task may take.
         goes_away: Whether the robot may be elsewhere afterwards, where "me" and "here" mean something else.
     """
 
@@ -92,6 +98,7 @@ class Skill:
     needs: frozenset[Need] = frozenset()
     before: frozenset[Before] = frozenset()
     hands_stay: bool = False
+    lasts_s: Callable[[Any], float] = no_longer
     goes_away: bool = False
 
     @property

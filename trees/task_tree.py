@@ -23,8 +23,9 @@ from trees.nodes.retry import Retry
 from trees.nodes.snapshot_of import snapshot_of, status_word
 from trees.port_values import Target
 from trees.registry import skill_of
+from trees.skill import Need
 from trees.snapshot import TreeSnapshot
-from trees.tasks import MoveTask, ObjectDescription, Task, WalkToTask
+from trees.tasks import ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -176,7 +177,8 @@ class TaskTree:
         place = self._written("place")
         if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
             self.acted_on = place.name if done else None
-        if isinstance(self.task, WalkToTask | MoveTask):
+        skill = skill_of(self.task)
+        if skill is not None and Need.LEGS in skill.needs:
             self._toolbox.world.sent_to = None
             if done and isinstance(place, Place) and place.category == "furniture":
                 self._toolbox.world.sent_to = place.name

@@ -15,14 +15,13 @@ from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
 from executive.errands.impossible import beyond
 from executive.errands.nearness import Nearness
-from executive.errands.required import handles
+from executive.errands.required import handles, with_names
 from executive.errands.unsaid_steps import (
     Known,
     Prepared,
     looked_for,
     prepared,
     seen_from_where,
-    with_names,
 )
 from executive.meaning import Command
 from executive.references import PREVIOUS, references, with_references

@@ -11,12 +11,12 @@ is taken to a room and then put somewhere is only carried to the room.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from executive.errands.away_from_start import leads_away
 from executive.errands.nearness import Nearness
-from executive.errands.required import goes_away, handles, requires, takes
+from executive.errands.required import goes_away, handles, requires, takes, whom
 from executive.meaning import Command
 from robots.scenes.articulated import DRAWER
 from robots.scenes.furniture import FURNITURE_KINDS
@@ -134,8 +134,8 @@ def _finding(word: str, steps: Sequence[Prepared]) -> Prepared | None:
 
     Who was told to go somewhere first means who is in front of it there.
     """
-    to_them = [step.command for step in steps if step.said is not None and _who(step.command) == word]
-    before = list(itertools.takewhile(lambda step: _who(step.command) != word, steps))
+    to_them = [step.command for step in steps if step.said is not None and whom(step.command) == word]
+    before = list(itertools.takewhile(lambda step: whom(step.command) != word, steps))
     if not to_them or not any(map(_goes_away, before)):
         return None
     if word == IN_FRONT and any(step.said is not None and _goes_away(step) for step in before):
@@ -160,14 +160,6 @@ def looked_for(
     begins = done[-1] + 1 if done else 0
     finding = [step for step in steps if step.finds_who and step.finds_who not in who_is_known]
     return (*finding, *(step for step in steps[begins:] if not step.finds_who))
-
-
-def with_names(command: Command, who: Mapping[str, str]) -> Command:
-    """The same command with the names of those who were found by a word: "me"."""
-    word = _who(command)
-    if word is not None and word in who and isinstance(command, HandOverTask | WalkToTask):
-        return replace(command, to=who[word])
-    return command
 
 
 def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
@@ -373,11 +365,6 @@ def seen_from_where(command: Command) -> str | ObjectDescription | None:
     if isinstance(source, ObjectDescription):
         return source if _is_furniture(source) and source.kind not in MEANT_BY else None
     return source if isinstance(source, str) and source not in MEANT_BY else None
-
-
-def _who(command: Command) -> str | None:
-    to = getattr(command, "to", None)
-    return to if isinstance(to, str) else None
 
 
 def _is_person(there: Destination) -> bool:

@@ -8,7 +8,7 @@ from trees import skills as folders
 from trees.build import NoSkillError, build_tree
 from trees.registry import skill_called, skill_of, skills
 from trees.skill import Skill, as_answered, as_asked
-from trees.tasks import ObjectDescription, PickTask
+from trees.tasks import ObjectDescription, PickTask, SayTask, WaitTask
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,3 +85,8 @@ def test_a_pick_claims_what_was_measured():
 def test_a_skill_that_answers_claims_what_it_said():
     assert as_answered("how many", "", {"said": "two"}) == "two"
     assert as_asked("wave", "", {"said": "two"}) == "wave"
+
+
+def test_a_wait_lasts_as_long_as_was_said():
+    assert skill_called("wait").lasts_s(WaitTask("wait", 600.0)) == 600.0
+    assert skill_called("say").lasts_s(SayTask("say", "hello")) == 0.0

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import pytest
 
+from executive.errands.required import with_names
 from executive.errands.unsaid_steps import Known, prepared
 from trees import registry
 from trees.skill import Before, Skill
@@ -117,3 +118,18 @@ def test_who_speaks_is_found_out_before_a_skill_takes_the_robot_away(known_with)
     done = kinds(FollowTask("follow Ana", "Ana"), WalkToTask("come back", "me"), known=Known())
 
     assert done == [FindTask, FollowTask, WalkToTask]
+
+
+def test_whom_me_means_is_found_out_before_a_skill_that_is_for_them_after_going_away(known_with):
+    known_with(GreetTask, before=frozenset({Before.AT_GOAL}))
+    away = WalkToTask("walk to the hall", "hall")
+
+    done = kinds(away, PickTask("take it", CUP), GreetTask("greet me", "me"), known=Known())
+
+    assert done[0] is FindTask
+
+
+def test_who_was_found_is_the_one_that_a_skill_is_for(known_with):
+    known_with(GreetTask, before=frozenset({Before.AT_GOAL}))
+
+    assert with_names(GreetTask("greet me", "me"), {"me": "Ana"}) == GreetTask("greet me", "Ana")

@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import pytest
 
 from executive.errands.errand import Errand, drive
-from executive.errands.unsaid_steps import Known, prepared, with_names
+from executive.errands.required import with_names
+from executive.errands.unsaid_steps import Known, prepared
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
 from trees.failures import Failure

@@ -25,7 +25,11 @@ def _wait(_task: WaitTask, toolbox: Toolbox) -> Behaviour:
     return wait(toolbox)
 
 
+def _as_said(task: WaitTask) -> float:
+    return task.duration_s
+
+
 SKILLS = (
     Skill(task=SayTask, tree=_say, example="say hello", toward="to", hands_stay=True),
-    Skill(task=WaitTask, tree=_wait, example="wait 5 seconds", hands_stay=True),
+    Skill(task=WaitTask, tree=_wait, example="wait 5 seconds", hands_stay=True, lasts_s=_as_said),
 )
