@@ -13,15 +13,15 @@ from executive.dialogue.clarification import OpenQuestion
 from executive.dialogue.settle_words import without_skill
 from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
-from executive.errands.impossible import impossible
+from executive.errands.impossible import beyond
 from executive.errands.nearness import Nearness
+from executive.errands.required import handles, with_names
 from executive.errands.unsaid_steps import (
     Known,
     Prepared,
     looked_for,
     prepared,
     seen_from_where,
-    with_names,
 )
 from executive.meaning import Command
 from executive.references import PREVIOUS, references, with_references
@@ -35,7 +35,6 @@ from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
 from trees.failures import Failure, FailureKind, Reason
 from trees.tasks import (
-    Bringing,
     Destination,
     HandOverTask,
     ObjectDescription,
@@ -150,7 +149,7 @@ class Errand:
             return (
                 unseen and not self._walked_with and not step.is_reached and _may_be_elsewhere(asked, known)
             )
-        if not isinstance(command, Bringing) or command.count != 1:
+        if not handles(command) or command.count != 1:
             return False
         carries = self._carries(command)
         if carries in self._walked_with or (step.is_reached and not carries):
@@ -238,7 +237,7 @@ class Errand:
             self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
             failure = Failure(FailureKind.REFUSED, message)
             return TaskResult(command.text, command.action, "refused", failure=failure)
-        why = impossible(self._commands, self._session.toolbox.places)
+        why = beyond(self._commands, self._session.toolbox)
         if why is None:
             return None
         self._session.tell(TaskRefused(self._session.now_s, why.command.text, why.message, why.word))

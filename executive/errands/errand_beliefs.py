@@ -17,7 +17,7 @@ from trees.beliefs.scene.held_object import HeldObject
 from trees.readings.around import base_pose, what_is_around
 from trees.readings.held import held_object
 from trees.readings.odometry import body_pose
-from trees.tasks import ObjectOf, PickTask, PlaceTask
+from trees.tasks import Bringing, ObjectDescription, ObjectOf, PlaceTask
 from trees.toolbox import Toolbox
 
 
@@ -69,8 +69,8 @@ class ErrandBeliefs:
         origins = self._toolbox.world.taken_from
         return origins[held.name].support if isinstance(held, HeldObject) and held.name in origins else None
 
-    def _in_view(self, pick: PickTask) -> bool:
-        """Whether the object of a pick is believed to be where it is said to be."""
-        if isinstance(pick.object, ObjectOf) or isinstance(pick.source, ObjectOf):
+    def _in_view(self, pick: Bringing) -> bool:
+        """Whether what is to be taken is believed to be where it is said to be."""
+        if not isinstance(pick.object, ObjectDescription) or isinstance(pick.source, ObjectOf):
             return False
         return isinstance(ground(pick.object, self.around(), pick.source, pick.count), Found)

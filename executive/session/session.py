@@ -19,7 +19,8 @@ from trees.beliefs.scene.scene_update import kind_of
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.nodes.leaf import from_exception
-from trees.tasks import ObjectDescription, PickTask, Task, WaitTask
+from trees.registry import skill_of
+from trees.tasks import ObjectDescription, PickTask, Task
 from trees.toolbox import Toolbox
 
 HALT_TICKS = 100
@@ -34,7 +35,8 @@ TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
 def _usual_limit_s(command: Command) -> float:
     """Simulated time that a task may take when nobody says how long; a wait lasts as long as said."""
-    return TASK_TIMEOUT_S + (command.duration_s if isinstance(command, WaitTask) else 0.0)
+    skill = skill_of(command)
+    return TASK_TIMEOUT_S + (0.0 if skill is None else skill.lasts_s(command))
 
 
 class PlanningTimes(Protocol):

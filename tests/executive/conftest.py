@@ -14,12 +14,18 @@ from robots.control.loop.emergency_stop import EmergencyStop
 from robots.fake.fake_world import FakeWorld, cup, table
 from robots.models.description import load_description, load_robot
 from trees.policy import TreePolicy
+from trees.skills.pick.settings import PickSettings
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
 HARDWARE = load_robot("talos").hardware
 
-QUICK = TreePolicy(look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2)
+QUICK = TreePolicy(
+    skills=(PickSettings(hold_s=0.2, grasp_settle_s=0.04),),
+    look_frames=2,
+    look_timeout_s=0.4,
+    motion_slack_s=0.2,
+)
 
 
 def believed(request):

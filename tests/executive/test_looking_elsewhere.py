@@ -18,13 +18,16 @@ def unseen(name):
     return Failure.postcondition(f"no {name} seen", seen="table, red can").because(Reason.NOT_SEEN)
 
 
+BODY = SimpleNamespace(description=SimpleNamespace(name="talos", tcp_frames={"right": "tool"}))
+
+
 class Notes:
     """A session that notes what is asked of it; the first tasks fail as they are told to."""
 
     now_s = 0.0
 
     def __init__(self, *failures, can_walk=True):
-        self.toolbox = SimpleNamespace(can_walk=can_walk, places=())
+        self.toolbox = SimpleNamespace(can_walk=can_walk, places=(), grippers={"right": None}, model=BODY)
         self.told, self.went_to, self.failures = [], [], list(failures)
 
     def request(self):

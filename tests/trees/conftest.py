@@ -26,6 +26,10 @@ from trees.build import build_tree
 from trees.nodes.leaf import Leaf
 from trees.policy import TreePolicy
 from trees.port_values import CheckedStep, Step, Target
+from trees.skills.gestures.settings import GestureSettings
+from trees.skills.hand_over.settings import HandOverSettings
+from trees.skills.pick.settings import PickSettings
+from trees.skills.place.settings import PlaceSettings
 from trees.tasks import ObjectDescription, PickTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
@@ -35,15 +39,14 @@ HARDWARE = load_robot("talos").hardware
 QUICK = TreePolicy(
     look_frames=2,
     look_timeout_s=0.4,
-    hold_s=0.2,
-    grasp_settle_s=0.04,
     motion_slack_s=0.2,
     task_timeout_s=60.0,
-    rest_s=0.08,
-    offer_rest_s=0.08,
-    take_within_s=0.6,
-    after_giving_s=0.04,
-    pointing_hold_s=0.04,
+    skills=(
+        PickSettings(hold_s=0.2, grasp_settle_s=0.04),
+        PlaceSettings(rest_s=0.08),
+        HandOverSettings(offer_rest_s=0.08, take_within_s=0.6, after_giving_s=0.04),
+        GestureSettings(pointing_hold_s=0.04),
+    ),
 )
 PERIOD_S = 0.02
 # Fingers of the fake robot move so many times faster than the true ones.

@@ -338,6 +338,15 @@ def test_a_room_that_is_not_on_the_map_is_told_before_anything_moves(fake_stage,
     assert on.fake.session.now_s == 0.0
 
 
+def test_what_the_robot_lacks_for_a_skill_is_told_before_anything_moves(fake_stage):
+    on = Stage(fake_stage(LEFT))
+
+    [result] = on.run(WalkToTask("go", ObjectDescription("table")))
+
+    assert (result.outcome, result.failure.message) == ("failed", "talos cannot walk here")
+    assert on.fake.session.now_s == 0.0
+
+
 TOO_LOW = "the floor is too low for the hands of this robot"
 
 

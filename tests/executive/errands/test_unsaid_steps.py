@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import pytest
 
 from executive.errands.errand import Errand
-from executive.errands.unsaid_steps import Known, prepared, with_names
+from executive.errands.required import with_names
+from executive.errands.unsaid_steps import Known, prepared
 from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
@@ -259,7 +260,9 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, fails="", failure=STUCK):
-        self.toolbox = SimpleNamespace(can_walk=True, places=("kitchen", "living room"))
+        self.toolbox = SimpleNamespace(
+            can_walk=True, places=("kitchen", "living room"), grippers={"right": None}
+        )
         self.told, self.fails, self.failure = [], fails, failure
 
     def request(self):

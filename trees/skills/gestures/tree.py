@@ -15,6 +15,7 @@ from trees.nodes.judgements import judgement
 from trees.skills.gestures.look_at_place import LookAtPlace
 from trees.skills.gestures.plan_pointing import PlanPointing
 from trees.skills.gestures.raise_hand import RaiseHand
+from trees.skills.gestures.settings import GestureSettings
 from trees.skills.gestures.swing_hand import SwingHand
 from trees.skills.gestures.turn_to_it import BEHIND_RAD, turned_to
 from trees.skills.gestures.verify_pointing import VerifyPointing
@@ -58,7 +59,7 @@ def point_at(toolbox: Toolbox) -> Behaviour:
         CheckTrajectory("check pointing", toolbox, {"step": "reach", "checked": "checked_reach"}),
         StreamMotion("stretch arm", toolbox, {"checked": "checked_reach"}),
         VerifyPointing("see where it points", toolbox),
-        Hold("hold", toolbox, toolbox.policy.pointing_hold_s),
+        Hold("hold", toolbox, toolbox.policy.of(GestureSettings).pointing_hold_s),
         GoHome("lower arm", toolbox),
     ]
     return tidily("point at", children, toolbox, toolbox.policy.walk_timeout_s)

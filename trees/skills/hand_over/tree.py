@@ -19,6 +19,7 @@ from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.hand_over.await_pull import AwaitPull
 from trees.skills.hand_over.give import Give
 from trees.skills.hand_over.offer import Offer
+from trees.skills.hand_over.settings import HandOverSettings
 from trees.skills.hand_over.verify_taken import VerifyTaken
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.search_place import search_place
@@ -38,7 +39,7 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
         Offer("offer", toolbox),
         AwaitPull("wait for the pull", toolbox),
         Give("give", toolbox),
-        Hold("let it go", toolbox, policy.after_giving_s),
+        Hold("let it go", toolbox, policy.of(HandOverSettings).after_giving_s),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("go home", toolbox),
         _see_who_has_it(toolbox),

@@ -17,6 +17,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import body_pose, feet_pose
+from trees.skills.moving.settings import MoveSettings
 from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.walking_leaf import WalkingLeaf
 from trees.skills.walking.walking_room import walking_room
@@ -121,7 +122,7 @@ class Move(WalkingLeaf):
             return task.duration_s
         if task.distance_m is not None and task.linear_m_s != 0.0:
             return 2.0 * abs(task.distance_m / task.linear_m_s) + 10.0
-        return self.toolbox.policy.move_s
+        return self.toolbox.policy.of(MoveSettings).move_s
 
     @property
     def _turn_rad(self) -> float:
@@ -153,10 +154,10 @@ class Move(WalkingLeaf):
     def _beyond_limits(self, settings: WalkingSettings) -> Failure | None:
         policy, task = self.toolbox.policy, self._task
         fastest_m_s = min(
-            policy.fastest_m_s,
+            policy.of(MoveSettings).fastest_m_s,
             (settings.forward_m if task.linear_m_s > 0.0 else settings.backward_m) / settings.step_s,
         )
-        fastest_rad_s = min(policy.fastest_rad_s, settings.turn_rad / settings.step_s)
+        fastest_rad_s = min(policy.of(MoveSettings).fastest_rad_s, settings.turn_rad / settings.step_s)
         for what, unit, value, limit in (
             ("forward speed", "m/s", task.linear_m_s, fastest_m_s),
             ("turning speed", "rad/s", task.angular_rad_s, fastest_rad_s),

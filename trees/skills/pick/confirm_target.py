@@ -12,6 +12,7 @@ from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.skills.looking.look_leaf import LookLeaf, View, estimates_of
+from trees.skills.pick.settings import PickSettings
 
 
 class ConfirmTarget(LookLeaf):
@@ -42,11 +43,11 @@ class ConfirmTarget(LookLeaf):
         if found is not None:
             moved_m = found[1]
             self.measured(moved_m=moved_m)
-            if moved_m > policy.moved_tolerance_m:
+            if moved_m > policy.of(PickSettings).moved_tolerance_m:
                 return Failure.postcondition(
                     f"the {target.name} is not where it was",
                     moved_m=moved_m,
-                    tolerance_m=policy.moved_tolerance_m,
+                    tolerance_m=policy.of(PickSettings).moved_tolerance_m,
                 )
             self.feedback_message = f"seen {moved_m * 1000:.0f} mm from where it was planned for"
             return DONE

@@ -29,6 +29,7 @@ from trees.skills.pick.open_gripper import OpenGripper
 from trees.skills.pick.plan_pick import PlanPick
 from trees.skills.pick.put_back import PutBack
 from trees.skills.pick.recover import recover
+from trees.skills.pick.settings import PickSettings
 from trees.skills.pick.verify_hold import VerifyHold
 from trees.skills.pick.verify_lift import VerifyLift
 from trees.toolbox import Toolbox
@@ -54,7 +55,11 @@ def pick(toolbox: Toolbox) -> Behaviour:
 
 def _fetched(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
-        "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
+        "attempts",
+        _attempt(toolbox),
+        recover(toolbox),
+        toolbox.policy.of(PickSettings).pick_attempts,
+        no_other_attempt_helps,
     )
     main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True

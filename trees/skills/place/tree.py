@@ -35,6 +35,7 @@ from trees.skills.place.lower import Lower, LowerFurther
 from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.see_held import SeeHeld
+from trees.skills.place.settings import PlaceSettings
 from trees.skills.place.verify_placed import VerifyPlaced
 from trees.skills.place.where_it_goes import know_destination
 from trees.skills.tidily import tidily
@@ -59,7 +60,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         GoHome("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox, toolbox.policy.placed_tolerance_m),
+        VerifyPlaced("verify placed", toolbox, toolbox.policy.of(PlaceSettings).placed_tolerance_m),
     ]
     return tidily("place", children, toolbox)
 

@@ -22,6 +22,7 @@ from trees.skills.put_in.come_to_board import come_to_board
 from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.put_in.look_at_board import LookAtBoard
 from trees.skills.put_in.not_shut import NotShut
+from trees.skills.put_in.settings import PutInSettings
 from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
@@ -41,7 +42,7 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox, policy.shelved_tolerance_m),
+        VerifyPlaced("verify placed", toolbox, policy.of(PutInSettings).shelved_tolerance_m),
     ]
     return tidily("put in", children, toolbox, policy.task_timeout_s + policy.walk_timeout_s)
 

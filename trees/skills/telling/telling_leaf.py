@@ -28,6 +28,7 @@ from trees.events import Said
 from trees.failures import Failure, Number, Reason
 from trees.nodes.leaf import DONE, Leaf
 from trees.readings.around import base_pose, what_is_around
+from trees.skills.telling.settings import TellingSettings
 from trees.skills.telling.stated_confidence import calibrated
 from trees.skills.telling.why_shut import why_shut
 from trees.tasks import Destination, ObjectDescription, Relation
@@ -72,11 +73,11 @@ class TellingLeaf(Leaf):
         Things are seen or missed each on its own, and what was not seen was missed about as easily as
         what was seen was seen badly; from that to a share of right answers goes a fitted line.
         """
-        sightings, policy = self.get_input("sightings"), self.toolbox.policy
+        sightings, settings = self.get_input("sightings"), self.toolbox.policy.of(TellingSettings)
         there = math.prod(float(sightings.get(name, _SURE)) for name in names)
         complete = fmean(map(float, sightings.values())) if sightings else _SURE
         raw = there * complete
-        stated = calibrated(raw, policy.confidence_slope, policy.confidence_offset)
+        stated = calibrated(raw, settings.confidence_slope, settings.confidence_offset)
         return {"confidence": stated, "seen_confidence": raw}
 
     def fitting(

@@ -21,6 +21,7 @@ from trees.skills.searching.look_elsewhere import turned_around, where_it_may_be
 from trees.skills.telling.is_about_farther import AsksFarther
 from trees.skills.telling.look_past import LookPast
 from trees.skills.telling.much_is_hidden import MuchIsHidden
+from trees.skills.telling.settings import TellingSettings
 from trees.skills.telling.tell import TellCount, TellDescription
 from trees.skills.telling.tell_each import TellEach
 from trees.skills.telling.tell_found import TellFound
@@ -60,7 +61,7 @@ def _from_here(toolbox: Toolbox) -> Behaviour:
             memory=True,
             children=[LookPast("peer", toolbox), Locate("locate", toolbox)],
         )
-        for k in range(1, toolbox.policy.looks_past + 1)
+        for k in range(1, toolbox.policy.of(TellingSettings).looks_past + 1)
     ]
     return search_place("look for it", toolbox, everywhere(toolbox), further=past)
 
@@ -106,7 +107,7 @@ def _looks(toolbox: Toolbox) -> list[Behaviour]:
     return [
         BestEffort(Sequence("look farther", memory=True, children=farther)),
         BestEffort(Sequence("look all around", memory=True, children=_all_around(toolbox))),
-        *_surveys(toolbox, policy.inventory_gazes),
+        *_surveys(toolbox, policy.of(TellingSettings).inventory_gazes),
         *(BestEffort(_past_what_hides(k, toolbox)) for k in range(1, _LOOKS_PAST + 1)),
         GoHome("go home", toolbox),
     ]

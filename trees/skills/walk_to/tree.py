@@ -24,6 +24,7 @@ from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walk_to.know_place import KnowPlace
 from trees.skills.walk_to.may_be_elsewhere import MayBeElsewhere
 from trees.skills.walk_to.see_front import SeeFront
+from trees.skills.walk_to.settings import WalkToSettings
 from trees.skills.walk_to.squared_up import SquaredUp
 from trees.skills.walking.change_viewpoint import Viewpoint
 from trees.skills.walking.ready_to_walk import ReadyToWalk
@@ -67,7 +68,9 @@ def walks(toolbox: Toolbox, choose: Behaviour) -> Behaviour:
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    return Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
+    return Retry(
+        "walks", attempt, again, toolbox.policy.of(WalkToSettings).walk_attempts, another_walk_is_useless
+    )
 
 
 def find_place(toolbox: Toolbox) -> Behaviour:

@@ -15,6 +15,7 @@ from robots.fake.fake_world import cup, table
 from robots.models.description import load_robot
 from trees.events import NodeChanged
 from trees.failures import FailureKind
+from trees.skills.pick.settings import PickSettings
 from trees.tasks import ObjectDescription, PickTask
 
 HARDWARE = load_robot("talos").hardware
@@ -213,7 +214,7 @@ def test_a_hand_that_always_misses_gives_up_open_and_at_home(stage):
     tree = stage.play(stage.pick())
 
     assert tree.status == "failure"
-    assert tree.attempts == stage.toolbox.policy.pick_attempts
+    assert tree.attempts == stage.toolbox.policy.of(PickSettings).pick_attempts
     assert tree.failure.kind is FailureKind.POSTCONDITION
     assert tree.failure.message == "could not pick up the red cup: nothing between the fingers"
     assert places(tree.failure) == ["pick"] + ["pick/grasp/verify hold"] * 4
@@ -311,7 +312,7 @@ def test_an_unsafe_reach_moves_no_arm(stage):
     assert tree.status == "failure"
     assert tree.failure.kind is FailureKind.UNSAFE
     assert "arm_right_5_link and table" in tree.failure.message
-    assert tree.attempts == stage.toolbox.policy.pick_attempts
+    assert tree.attempts == stage.toolbox.policy.of(PickSettings).pick_attempts
     assert at_home(stage)
 
 
