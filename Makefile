@@ -66,13 +66,13 @@ requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, wh
 evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth
 	$(BIN)/python -m tools.evaluate pick --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)
 
-benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/benchmarks.md made from it
+benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/measured/benchmarks.md made from it
 	-$(BIN)/python -m tools.benchmark.peers  # a peer that cannot be installed is named and left out
 	mkdir -p $(MEASURED)
 	for suite in $$($(BIN)/python -m tools.benchmark --list); do \
 		$(BIN)/python -m tools.benchmark $$suite $(BENCHMARK) --json $(MEASURED)/$$suite.json || exit 1; \
 	done
-	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/benchmarks.md
+	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/measured/benchmarks.md
 
 lock: $(VENV)/.dev-stamp  ## resolve the dependencies anew
 	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --output-file requirements.lock pyproject.toml

@@ -13,7 +13,7 @@ from trees.btcpp.outside_leaves import load_leaves
 from trees.extensions import SkillExtension, extensions, load
 
 ROOT = Path(__file__).parents[2]
-GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
+GUIDE = (ROOT / "docs" / "extend" / "a-skill.md").read_text("utf-8")
 _PROJECT, _WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)
 
 

@@ -1,4 +1,4 @@
-"""``python -m tools.documents.model_output_schema``: write docs/model_output.schema.json from the code."""
+"""``python -m tools.documents.model_output_schema``: write the schema of model output from the code."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from executive.understanding.model_output import model_output_schema
 
-FILE = Path(__file__).parents[2] / "docs" / "model_output.schema.json"
+FILE = Path(__file__).parents[2] / "docs" / "reference" / "model_output.schema.json"
 
 
 def main() -> None:

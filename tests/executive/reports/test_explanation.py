@@ -10,7 +10,7 @@ from kinematics.requests.check import CheckRequest
 from kinematics.requests.step import NoPlan
 from trees.failures import Failure, FailureKind
 
-GUIDE = Path(__file__).parents[3] / "docs" / "why.md"
+GUIDE = Path(__file__).parents[3] / "docs" / "guides" / "why.md"
 
 
 def elbow_meets_table(request: CheckRequest) -> Unsafe:
