@@ -37,6 +37,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinat
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
+from tools.benchmark.scaling_page import scaling_page
 from tools.benchmark.scaling_picture import picture
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
@@ -225,6 +226,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--repeats", type=int, default=15, metavar="N", help="scenes or paths of each count")
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument("--picture", type=Path, metavar="FILE.svg")
+    parser.add_argument("--page", type=Path, metavar="FILE.md")
     options = parser.parse_args(arguments)
     courses = scaling(options.repeats)
     _print(courses, Console())
@@ -232,6 +234,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options.json.write_text(json.dumps([asdict(item) for item in courses], indent=1) + "\n", "utf-8")
     if options.picture is not None:
         options.picture.write_text(picture(courses), "utf-8")
+    if options.page is not None:
+        options.page.write_text(scaling_page(courses), "utf-8")
     return 0
 
 

@@ -1,0 +1,34 @@
+"""The page of how processor time grows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from tools.documents.markdown import table
+
+if TYPE_CHECKING:
+    from tools.benchmark.scaling import Course
+
+_HEAD = """\
+# How times grow
+
+![processor time against the number of obstacles and of waypoints](../pictures/scaling.svg)
+
+Made by `make benchmark` (`python -m tools.benchmark.scaling`); do not edit. Median processor time in
+milliseconds. *exponent* is the slope of a straight line through the upper half of the points, both axes
+logarithmic; read the slopes and not the single points. A planned path has no exponent that means much: with
+1,000 boxes about the arm a search may end at once, because a goal is shut in. Boxes of 4 cm stand in a
+shell about the arm's reach, for the checker ahead of the humanoid.
+"""
+
+
+def scaling_page(courses: Sequence[Course]) -> str:
+    """The page, a table for each quantity that grows."""
+    parts = [_HEAD]
+    for against in dict.fromkeys(item.against for item in courses):
+        rows = [item for item in courses if item.against == against]
+        head = (f"against {against}", *map(str, rows[0].counts), "exponent")
+        body = ((item.name, *(f"{ms:.3g}" for ms in item.median_ms), f"{item.exponent:.2f}") for item in rows)
+        parts.append(table(head, body))
+    return "\n".join(parts)
