@@ -13,6 +13,8 @@ from tools.documents.events_page import events_page
 from tools.documents.measured import measured_index
 from tools.documents.node_kinds_page import node_kinds_page
 from tools.documents.policy_page import policy_page
+from tools.documents.rooms_page import rooms_page
+from tools.pictures.draw_rooms import picture
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -22,6 +24,8 @@ PAGES: Mapping[str, Callable[[], str]] = MappingProxyType(
         "reference/events.md": events_page,
         "reference/policy.md": policy_page,
         "reference/node-kinds.md": node_kinds_page,
+        "understand/rooms.md": rooms_page,
+        "pictures/rooms.svg": picture,
         "adr/index.md": decisions_page,
         "measured/index.md": measured_index,
     }

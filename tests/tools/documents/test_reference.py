@@ -7,6 +7,7 @@ import pytest
 from tools.documents.decisions_page import decisions_page
 from tools.documents.markdown import attributes, summary, table
 from tools.documents.reference import DOCS, PAGES
+from tools.documents.rooms import FLOORS, layers, packages, says
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -42,6 +43,18 @@ def test_a_leaf_tells_its_promises_and_its_deadline():
     assert "Before: " in part
     assert "After: " in part
     assert "Moves: gripper. Ends within 4 s." in part
+
+
+@pytest.mark.parametrize("floor", FLOORS)
+def test_every_room_says_what_it_is(floor):
+    assert [name for name in packages(floor) if not says(f"{floor}.{name}")] == []
+
+
+def test_rooms_are_in_the_order_of_their_contract():
+    text = PAGES["understand/rooms.md"]()
+
+    assert text.index("`trees.btcpp`") < text.index("`trees.leaves`") < text.index("`trees.beliefs`")
+    assert layers("kinematics")[-1][0] == "errors"
 
 
 @dataclass
