@@ -45,9 +45,3 @@ def says(package: str) -> str:
     text = (ROOT / package.replace(".", "/") / "__init__.py").read_text("utf-8")
     told = (ast.get_docstring(ast.parse(text)) or "").partition("\n\n")[0]
     return " ".join(told.split())
-
-
-def modules(package: str) -> int:
-    """How many modules a package holds, those of its own packages included."""
-    folder = ROOT / package.replace(".", "/")
-    return sum(path.name != "__init__.py" for path in folder.rglob("*.py"))

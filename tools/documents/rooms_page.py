@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tools.documents.markdown import table
-from tools.documents.rooms import FLOORS, layers, modules, packages, says
+from tools.documents.rooms import FLOORS, layers, packages, says
 
 _HEAD = """\
 # The rooms
@@ -24,17 +24,17 @@ def rooms_page() -> str:
     """The page: a table for each floor."""
     parts = [_HEAD]
     for floor in FLOORS:
-        parts += [f"## {floor}\n", table(("room", "modules", "what it is"), _rows(floor))]
+        parts += [f"## {floor}\n", table(("room", "what it is"), _rows(floor))]
     return "\n".join(parts)
 
 
-def _rows(floor: str) -> Iterator[tuple[str, str, str]]:
+def _rows(floor: str) -> Iterator[tuple[str, str]]:
     there = packages(floor)
     ordered = [name.split(".")[0] for row in layers(floor) for name in row]
     for name in dict.fromkeys(name for name in (*ordered, *there) if name in there):
         room = f"{floor}.{name}"
-        yield f"`{room}`", str(modules(room)), says(room)
+        yield f"`{room}`", says(room)
         if room in (*_WIDE, *_WIDER):
             for inner in packages(room):
                 if says(f"{room}.{inner}"):
-                    yield f"`{room}.{inner}`", str(modules(f"{room}.{inner}")), says(f"{room}.{inner}")
+                    yield f"`{room}.{inner}`", says(f"{room}.{inner}")
