@@ -13,6 +13,7 @@ from tools.documents.events_page import events_page
 from tools.documents.measured import measured_index
 from tools.documents.node_kinds_page import node_kinds_page
 from tools.documents.policy_page import policy_page
+from tools.documents.report_page import report_page
 from tools.documents.rooms_page import rooms_page
 from tools.pictures.draw_rooms import picture
 
@@ -23,6 +24,7 @@ PAGES: Mapping[str, Callable[[], str]] = MappingProxyType(
         "reference/cli.md": cli_page,
         "reference/events.md": events_page,
         "reference/policy.md": policy_page,
+        "reference/report.md": report_page,
         "reference/node-kinds.md": node_kinds_page,
         "understand/rooms.md": rooms_page,
         "pictures/rooms.svg": picture,

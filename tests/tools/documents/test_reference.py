@@ -45,6 +45,15 @@ def test_a_leaf_tells_its_promises_and_its_deadline():
     assert "Moves: gripper. Ends within 4 s." in part
 
 
+def test_a_report_s_keys_have_their_place_and_what_they_hold():
+    text = PAGES["reference/report.md"]()
+
+    assert "| `safety.checked_trajectories` | integer |" in text
+    assert "| `left_out[].reason` | string |" in text
+    assert "| `failure` | null or failure |" in text
+    assert "| `outcome` | done, failed, refused, question, cancelled |" in text
+
+
 @pytest.mark.parametrize("floor", FLOORS)
 def test_every_room_says_what_it_is(floor):
     assert [name for name in packages(floor) if not says(f"{floor}.{name}")] == []
