@@ -48,7 +48,8 @@ def test_the_page_has_a_table_for_each_quantity_that_grows():
         course("timed", "waypoints", (2, 4, 8), [[0.001], [0.002], [0.004]]),
     ]
 
-    text = scaling_page(courses)
+    text = scaling_page(courses, 2)
 
     assert "| against obstacles | 1 | 10 | 100 | 1000 | exponent |" in text
     assert "| timed | 1 | 2 | 4 | 1.00 |" in text
+    assert "2 scenes or paths of each count" in text

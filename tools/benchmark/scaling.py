@@ -235,7 +235,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.picture is not None:
         options.picture.write_text(picture(courses), "utf-8")
     if options.page is not None:
-        options.page.write_text(scaling_page(courses), "utf-8")
+        options.page.write_text(scaling_page(courses, options.repeats), "utf-8")
     return 0
 
 

@@ -15,17 +15,22 @@ _HEAD = """\
 
 ![processor time against the number of obstacles and of waypoints](../pictures/scaling.svg)
 
-Made by `make benchmark` (`python -m tools.benchmark.scaling`); do not edit. Median processor time in
-milliseconds. *exponent* is the slope of a straight line through the upper half of the points, both axes
+Made by `make benchmark` (`python -m tools.benchmark.scaling --repeats {repeats}`); do not edit. Median
+processor time of {repeats} scenes or paths of each count, in milliseconds. *exponent* is the slope of a straight line through the upper half of the points, both axes
 logarithmic; read the slopes and not the single points. A planned path has no exponent that means much: with
 1,000 boxes about the arm a search may end at once, because a goal is shut in. Boxes of 4 cm stand in a
 shell about the arm's reach, for the checker ahead of the humanoid.
 """
 
 
-def scaling_page(courses: Sequence[Course]) -> str:
-    """The page, a table for each quantity that grows."""
-    parts = [_HEAD]
+def scaling_page(courses: Sequence[Course], repeats: int) -> str:
+    """The page, a table for each quantity that grows.
+
+    Args:
+        courses: What was measured.
+        repeats: Scenes or paths of each count.
+    """
+    parts = [_HEAD.format(repeats=repeats)]
     for against in dict.fromkeys(item.against for item in courses):
         rows = [item for item in courses if item.against == against]
         head = (f"against {against}", *map(str, rows[0].counts), "exponent")
