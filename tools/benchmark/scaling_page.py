@@ -16,10 +16,11 @@ _HEAD = """\
 ![processor time against the number of obstacles and of waypoints](../pictures/scaling.svg)
 
 Made by `make benchmark` (`python -m tools.benchmark.scaling --repeats {repeats}`); do not edit. Median
-processor time of {repeats} scenes or paths of each count, in milliseconds. *exponent* is the slope of a straight line through the upper half of the points, both axes
-logarithmic; read the slopes and not the single points. A planned path has no exponent that means much: with
-1,000 boxes about the arm a search may end at once, because a goal is shut in. Boxes of 4 cm stand in a
-shell about the arm's reach, for the checker ahead of the humanoid.
+processor time of {repeats} scenes or paths of each count, in milliseconds. *exponent* is the slope of a
+straight line through the upper half of the points, both axes logarithmic; read the slopes and not the
+single points. A planned path has no exponent that means much: with 1,000 boxes about the arm a search may
+end at once, because a goal is shut in. Boxes of 4 cm stand in a shell about the arm's reach, for the
+checker ahead of the humanoid.
 """
 
 
