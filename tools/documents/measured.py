@@ -22,6 +22,7 @@ from tools.documents.markdown import table
 
 FOLDER = Path(__file__).parents[2] / "docs" / "measured"
 _INDEX = "index.md"
+_MANY = 1000
 # Fewer episodes than this leave intervals too wide to compare with a demand of 97 %.
 SHORT = 100
 _NEEDED = ("suite", "episodes")
@@ -36,8 +37,10 @@ _PAGE_HEAD = """\
 # Measured: {suite}
 
 Made by `make evaluate` with version {version}; do not edit. *Good* is an episode in which the simulator's
-truth says that what was asked for was done; in suites of stops, faults and doors, one that met every
-demand. In brackets: the 95 % interval of the share (Wilson). Other counts are numbers of episodes.
+truth says that what was asked for was done; in suites of stops, faults and doors, one that met every demand;
+of hostile text, a text that was answered as it may be. A dash: the fault left nothing to be done, and what
+counts is that nothing was claimed. In brackets: the 95 % interval of the share (Wilson). Other counts are
+numbers of episodes.
 """
 _SHORT_RUN = """\
 **Short runs** of fewer than {short} episodes are among them: read the interval, not the share.
@@ -66,10 +69,10 @@ def suite_page(records: Mapping[str, Mapping[str, Any]]) -> str:
     """
     suite = next(iter(records.values()))["suite"]
     head = _PAGE_HEAD.format(suite=suite, version=importlib.metadata.version("humanoid-executive"))
-    short = any(record["episodes"] < SHORT for record in records.values())
+    short = any(_judged(record) < SHORT for record in records.values())
     told = {key: name for key, name in _COUNTS.items() if any(key in record for record in records.values())}
     rows = [
-        (name, str(record["episodes"]), _good(record), *(str(record.get(key, "")) for key in told))
+        (name, str(_judged(record)), _good(record), *(str(record.get(key, "")) for key in told))
         for name, record in records.items()
     ]
     demands = [
@@ -87,12 +90,26 @@ def suite_page(records: Mapping[str, Mapping[str, Any]]) -> str:
 
 
 def _good(record: Mapping[str, Any]) -> str:
+    """How many were good, with the interval of their share; a dash where a fault left nothing to be done."""
     if "success_rate" not in record:
         return ""
-    judged = record.get("texts", record["episodes"])
+    judged = _judged(record)
     good = round(record["success_rate"] * judged)
+    if record.get("fault") is not None and not good and not any(map(_recoverable, record["episodes_detail"])):
+        return "–"
     low, high = interval(good, judged)
-    return f"{good} ({100 * low:.0f}–{100 * high:.0f} %)"
+    digits = 0 if judged < _MANY else 2
+    return f"{good} ({100 * low:.{digits}f}–{100 * high:.{digits}f} %)"
+
+
+def _judged(record: Mapping[str, Any]) -> int:
+    """Episodes, or the texts that they are made of."""
+    return int(record.get("texts", record["episodes"]))
+
+
+def _recoverable(episode: Mapping[str, Any]) -> bool:
+    """Whether what was asked for could still be done; suites that do not say ask for what can be."""
+    return bool(episode.get("recoverable", True))
 
 
 def read_records(folder: Path) -> dict[str, dict[str, dict[str, Any]]]:

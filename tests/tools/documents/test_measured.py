@@ -50,7 +50,23 @@ def test_a_record_without_demands_has_its_row():
 def test_texts_are_counted_where_an_episode_is_thousand_of_them():
     hostile = {"suite": "hostile", "episodes": 2, "texts": 2000, "success_rate": 0.999}
 
-    assert "| hostile | 2 | 1998 (100–100 %) |" in suite_page({"hostile": hostile})
+    assert "| hostile | 2000 | 1998 (99.64–99.97 %) |" in suite_page({"hostile": hostile})
+
+
+def test_where_a_fault_leaves_nothing_to_be_done_nothing_is_counted_as_good():
+    lost = record(episodes=10, good=0, fault="slip")
+    for episode in lost["episodes_detail"]:
+        episode["recoverable"] = False
+
+    assert "| pick-slip | 10 | – | 10 | 0 |" in suite_page({"pick-slip": lost})
+
+
+def test_where_a_fault_can_be_recovered_from_what_was_not_is_counted():
+    failed = record(episodes=10, good=0, fault="moved")
+    for episode in failed["episodes_detail"]:
+        episode["recoverable"] = True
+
+    assert "| pick-moved | 10 | 0 (0–28 %) |" in suite_page({"pick-moved": failed})
 
 
 def test_the_page_tells_neither_seeds_nor_times():
