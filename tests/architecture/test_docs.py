@@ -11,6 +11,8 @@ LINK = re.compile(r"\]\(([^)\s#]*)(?:#([^)\s]*))?\)")
 FENCED = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 COMMIT = re.compile(r"\b(?=[0-9]*[a-f])(?=[a-f]*[0-9])[0-9a-f]{7,40}\b")
 SEED = re.compile(r"(?<!-)\bseeds? \d+|--seed \d{3,}", re.IGNORECASE)
+NAMED = re.compile(r"`((?:tests|tools|executive|trees|robots|kinematics)/[a-z0-9_./-]+)`")
+"""Files and folders of the code in running text; names with capitals are to be put in by the reader."""
 OF_THEIR_DAY = ("adr", "measured")
 """Decisions tell of their day; measurements are made by programs, and held by tests of these."""
 
@@ -115,6 +117,17 @@ def test_no_page_keys_what_it_tells_by_a_seed():
 def test_a_commit_is_told_from_a_number_and_from_a_word(text):
     assert COMMIT.search(text)
     assert not COMMIT.search("1234567 defaced 2026-11-22 0.0012345")
+
+
+def test_every_file_and_folder_that_a_page_names_is_there():
+    gone = [
+        f"{page.relative_to(ROOT)}: {name}"
+        for page in of_today()
+        for name in NAMED.findall(prose(page))
+        if not (ROOT / name).exists()
+    ]
+
+    assert gone == []
 
 
 def test_every_page_begins_with_its_one_title():

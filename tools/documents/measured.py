@@ -95,7 +95,11 @@ def _good(record: Mapping[str, Any]) -> str:
         return ""
     judged = _judged(record)
     good = round(record["success_rate"] * judged)
-    if record.get("fault") is not None and not good and not any(map(_recoverable, record["episodes_detail"])):
+    if (
+        record.get("fault") is not None
+        and not good
+        and not any(map(_recoverable, record.get("episodes_detail", ())))
+    ):
         return "–"
     low, high = interval(good, judged)
     digits = 0 if judged < _MANY else 2
