@@ -74,7 +74,7 @@ class Skill:
             "evidence".
         example: A sentence for it, as it is listed.
         phrases: Whole sentences that mean a task without further slots, lower-case. Words of a vocabulary
-            file do more: they are understood in any sentence (``docs/how-to-add-a-skill.md``).
+            file do more: they are understood in any sentence (``docs/extend/a-skill.md``).
         make: Makes the task of a phrase that was said; ``task(text)`` when left out.
         verb: What it is called where people are told of it, "pick up"; the name of its action when left out.
         toward: The word between its verb and whom or what it is aimed at: "wave *to* Ana".

@@ -1,4 +1,4 @@
-"""The report of a run: one JSON document, its schema in ``docs/report.schema.json``."""
+"""The report of a run: one JSON document, its schema in ``docs/reference/report.schema.json``."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ LOOSENED: tuple[Loosened, ...] = (
         "what was measured before anything was touched counts as no force",
     ),
 )
-"""The whole list; ``docs/trajectory-checker.md`` tells it to users."""
+"""The whole list; ``docs/reference/trajectory.md`` tells it to users."""
 
 
 def why_not_allowed(pair: Pair, scene: PlanningScene, model: RobotModel, q: Array | None) -> str | None:

@@ -1,4 +1,4 @@
-"""A trajectory as text: the JSON document of docs/trajectory.schema.json.
+"""A trajectory as text: the JSON document of docs/reference/trajectory.schema.json.
 
 Read strictly: whatever is missing, unknown, doubled, not finite or out of all proportion is an error
 that names its place. Written exactly: times, configurations and velocities come back bit by bit.
@@ -98,7 +98,7 @@ def read_trajectory(text: str) -> StoredTrajectory:
     """Read a document.
 
     Args:
-        text: JSON, as ``docs/trajectory.schema.json`` describes it.
+        text: JSON, as ``docs/reference/trajectory.schema.json`` describes it.
 
     Raises:
         TrajectoryDocumentError: With the place, such as ``samples[12].q[9] (arm_left_3_joint)``, and

@@ -1,6 +1,6 @@
 """Read a robot's data: ``robots/models/<name>/description.toml`` and the URDF that it names.
 
-What the keys mean is told in ``docs/how-to-add-a-robot.md``.
+What the keys mean is told in ``docs/extend/a-robot.md``.
 """
 
 from __future__ import annotations

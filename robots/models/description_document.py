@@ -1,4 +1,4 @@
-"""What ``description.toml`` may say, key by key; ``docs/how-to-add-a-robot.md`` tells what it means."""
+"""What ``description.toml`` may say, key by key; ``docs/extend/a-robot.md`` tells what it means."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
+GUIDE = (ROOT / "docs" / "extend" / "a-skill.md").read_text("utf-8")
 PROJECT, WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)[3:]
 
 

@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("executive", "trees", "robots", "kinematics")
 
-GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
+GUIDE = (ROOT / "docs" / "extend" / "a-skill.md").read_text("utf-8")
 RECORD, TREE, WORDS = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)[:3]
 ASKED = """
 import json

@@ -14,7 +14,7 @@ from trees.skill import Skill
 from trees.skills import built_in
 
 ROOT = Path(__file__).parents[2]
-GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
+GUIDE = (ROOT / "docs" / "extend" / "a-skill.md").read_text("utf-8")
 _PROJECT, _WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)[3:]
 
 

@@ -13,7 +13,7 @@ import functools
 import json
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -37,6 +37,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinat
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
+from tools.benchmark.scaling_page import Course, scaling_page
 from tools.benchmark.scaling_picture import picture
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
@@ -49,27 +50,6 @@ _SHOULDER_M = np.array([0.0, 0.0, 0.33])
 _AHEAD_M = (0.85, 3.0)
 _EDGE_RAD = 2.0
 _PACE = Pace(0.5, 0.7)
-
-
-@dataclass(frozen=True, slots=True)
-class Course:
-    """One quantity as it grows.
-
-    Attributes:
-        name: What is done.
-        against: What grows.
-        counts: How many of them.
-        median_ms: Processor time, by count.
-        p95_ms: The same, 95th percentile.
-        exponent: Slope in logarithms over the upper half of the counts.
-    """
-
-    name: str
-    against: str
-    counts: tuple[int, ...]
-    median_ms: tuple[float, ...]
-    p95_ms: tuple[float, ...]
-    exponent: float
 
 
 def course(name: str, against: str, counts: Sequence[int], samples_s: Sequence[Sequence[float]]) -> Course:
@@ -226,6 +206,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--repeats", type=int, default=15, metavar="N", help="scenes or paths of each count")
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument("--picture", type=Path, metavar="FILE.svg")
+    parser.add_argument("--page", type=Path, metavar="FILE.md")
     options = parser.parse_args(arguments)
     courses = scaling(options.repeats)
     _print(courses, Console())
@@ -233,6 +214,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options.json.write_text(json.dumps([asdict(item) for item in courses], indent=1) + "\n", "utf-8")
     if options.picture is not None:
         options.picture.write_text(picture(courses), "utf-8")
+    if options.page is not None:
+        options.page.write_text(scaling_page(courses, options.repeats), "utf-8")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""What the report of a check says: the model of docs/check-report.schema.json."""
+"""What the report of a check says: the model of docs/reference/check-report.schema.json."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the report of a run says: the model of docs/report.schema.json."""
+"""What the report of a run says: the model of docs/reference/report.schema.json."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``python -m tools.documents.schemas``: write the published schemas, docs/*.schema.json, from the code."""
+"""``python -m tools.documents.schemas``: write the published schemas, docs/reference/, from the code."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tools.documents.published import schema_of
 from tools.documents.report_document import ReportDocument
 from tools.documents.trajectory_document import TrajectoryDocument
 
-FOLDER = Path(__file__).parents[2] / "docs"
+FOLDER = Path(__file__).parents[2] / "docs" / "reference"
 
 SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
     "model_output": model_output_schema,

@@ -1,4 +1,4 @@
-"""What a stored trajectory says: the model of docs/trajectory.schema.json, with its reader's bounds."""
+"""What a stored trajectory says: docs/reference/trajectory.schema.json, with its reader's bounds."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from trees import extensions
 from trees.btcpp.outside_leaves import outside_leaves
 
 ROOT = Path(__file__).parents[3]
-SCHEMA = json.loads((ROOT / "docs" / "report.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "docs" / "reference" / "report.schema.json").read_text())
 
 
 @pytest.fixture

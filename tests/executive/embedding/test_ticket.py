@@ -10,7 +10,7 @@ from executive.embedding.ticket import Ticket
 from executive.session.events import InputTaken, QuestionAsked, TaskAccepted, TaskEnded
 from executive.trust import Trust
 
-GUIDE = Path(__file__).parents[3] / "docs" / "python.md"
+GUIDE = Path(__file__).parents[3] / "docs" / "guides" / "python.md"
 DOUBTFUL = [{"command": "go home", "confidence": 0.4}]
 CONFIRM = "step 1, 'go home', has confidence 0.40, below 0.80: shall it be done?"
 

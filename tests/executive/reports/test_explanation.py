@@ -10,7 +10,8 @@ from kinematics.requests.check import CheckRequest
 from kinematics.requests.step import NoPlan
 from trees.failures import Failure, FailureKind, OpenChoice
 
-GUIDE = Path(__file__).parents[3] / "docs" / "why.md"
+DOCS = Path(__file__).parents[3] / "docs"
+GUIDE = DOCS / "guides" / "why.md"
 
 
 def elbow_meets_table(request: CheckRequest) -> Unsafe:
@@ -113,6 +114,12 @@ def test_every_kind_has_a_meaning_in_the_guide():
     assert set(MEANINGS) == set(ADVICE) == set(FailureKind)
     for kind, meaning in MEANINGS.items():
         assert f"| {kind.value} | {meaning} | {ADVICE[kind]} |" in text
+
+
+def test_every_kind_has_the_same_meaning_where_failures_are_explained():
+    text = (DOCS / "understand" / "failures.md").read_text()
+
+    assert [kind for kind in FailureKind if f"| {kind.value} | {MEANINGS[kind]} |" not in text] == []
 
 
 def test_a_question_that_nobody_answered_tells_what_to_choose_from():

@@ -11,7 +11,7 @@ from executive.runs.recorded_failure import failure_from
 from kinematics.motion.verdict import Finding, FindingKind
 from trees.failures import Failure, FailureKind, OpenChoice, Reason
 
-SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "report.schema.json").read_text())
+SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "reference" / "report.schema.json").read_text())
 ELBOW = Finding(FindingKind.SCENE_COLLISION, 1.24, ("arm_left_4_link", "table"), 0.004, 0.015)
 ASKED = OpenChoice(("blue cup", "red cup"), ("blue cup", "red cup 2"), "to", 1, True)
 

@@ -12,7 +12,7 @@ from executive.meaning import StopCommand, command_json
 from executive.understanding.model_output import ModelOutputError, model_output_schema, read_model_output
 from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, PickTask, Relation
 
-SCHEMA_FILE = Path(__file__).parents[3] / "docs" / "model_output.schema.json"
+SCHEMA_FILE = Path(__file__).parents[3] / "docs" / "reference" / "model_output.schema.json"
 SCHEMA = json.loads(SCHEMA_FILE.read_text())
 
 LEFT_CUP = {

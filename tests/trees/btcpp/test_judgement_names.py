@@ -3,12 +3,14 @@
 import re
 import sys
 import types
+from functools import partial
 from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
 
 import trees.nodes.judgements
+from tests.trees.example_tasks import TASKS, root_of
 from trees.btcpp import judgement_names
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.judgement_names import known_judgements, load_judgements, own_judgements
@@ -17,7 +19,6 @@ from trees.btcpp.literals import from_text, to_text
 from trees.btcpp.own_kinds import JUDGES, JUDGES_ATTEMPTS, JUDGES_WAYS
 from trees.btcpp.reader import read_tree
 from trees.btcpp.writer import write_tree
-from trees.build import SKILLS
 from trees.failures import Failure
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import (
@@ -28,6 +29,7 @@ from trees.nodes.judgements import (
     no_other_attempt_helps,
     tidying_helps,
 )
+from trees.skills import built_in
 from trees.skills.doors.close import handle_is_no_help
 from trees.skills.doors.find_handle import can_walk
 from trees.skills.doors.leave_handle import leave_handle
@@ -40,11 +42,17 @@ DATA = Path(__file__).parent / "data"
 MODULE = re.compile(r"\b(trees|robots|kinematics|executive)\.[a-z_]|[a-z]:[a-z_]")
 
 
-@pytest.fixture(
-    params=[*SKILLS.values(), put_behind_door, find_several, leave_handle], ids=lambda make: make.__name__
-)
+MADE_BY = {
+    **{skill: partial(root_of, TASKS[built.task]) for skill, built in built_in().items()},
+    "put_behind_door": put_behind_door,
+    "find_several": find_several,
+    "leave_handle": leave_handle,
+}
+
+
+@pytest.fixture(params=MADE_BY)
 def tree(request, stage):
-    return request.param(stage.toolbox)
+    return MADE_BY[request.param](stage.toolbox)
 
 
 def judgements_of(tree):
