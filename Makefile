@@ -7,8 +7,12 @@ BIN := $(VENV)/bin
 JOBS ?= 2
 EPISODES ?= 200
 SEED ?= 0
-# Options of every suite, such as --quick, and where their results are put.
+# Suites of `make evaluate`, and where their records are put; the pages of docs/measured are made from these.
+SUITES ?= pick
+RECORDS ?= build/evaluate
+# Options of every suite of `make benchmark`, such as --quick, and where their results are put.
 BENCHMARK ?=
+SCALING ?= --repeats 2
 MEASURED ?= build/benchmark
 SENTENCE ?= pick up the red cup on the table
 
@@ -20,7 +24,7 @@ FIND_PYTHON = for p in $(PYTHON) python3.11 python3.12 python3.13 python3; do \
 export OMP_NUM_THREADS := 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: setup run test check requirements evaluate benchmark lock build clean
+.PHONY: setup run test check requirements evaluate benchmark reference lock build clean
 
 setup: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## the environment with everything that development needs
 
@@ -63,16 +67,28 @@ check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
 requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, which are not
 	$(BIN)/python -m tools.documents.requirements_report --jobs $(JOBS)
 
-evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth
-	$(BIN)/python -m tools.evaluate pick --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)
+evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth; docs/measured is made from them
+	mkdir -p $(RECORDS)
+	status=0; for suite in $(SUITES); do \
+		$(BIN)/python -m tools.evaluate $$suite --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS) \
+			--json $(RECORDS)/$$suite.json || status=1; \
+	done; \
+	$(BIN)/python -m tools.documents.measured $(RECORDS) docs/measured && exit $$status
 
-benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/benchmarks.md made from it
+benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/measured/benchmarks.md made from it
 	-$(BIN)/python -m tools.benchmark.peers  # a peer that cannot be installed is named and left out
 	mkdir -p $(MEASURED)
 	for suite in $$($(BIN)/python -m tools.benchmark --list); do \
 		$(BIN)/python -m tools.benchmark $$suite $(BENCHMARK) --json $(MEASURED)/$$suite.json || exit 1; \
 	done
-	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/benchmarks.md
+	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/measured/benchmarks.md
+	$(BIN)/python -m tools.benchmark.scaling $(SCALING) --picture docs/pictures/scaling.svg --page docs/measured/scaling.md
+	$(BIN)/python -m tools.documents.reference
+
+reference: $(VENV)/.dev-stamp  ## the pages of the docs that are made from the code
+	$(BIN)/python -m tools.documents.reference
+	$(BIN)/python -m tools.documents.lifecycle_table
+	$(BIN)/python -m tools.documents.schemas
 
 lock: $(VENV)/.dev-stamp  ## resolve the dependencies anew
 	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --output-file requirements.lock pyproject.toml

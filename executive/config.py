@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 from pathlib import Path
 
@@ -13,12 +12,9 @@ CONFIG_VARIABLE = "HUMANOID_EXECUTIVE_CONFIG"
 
 def config_directory() -> Path:
     """Where this user's settings are, by the platform's custom."""
-    home = Path.home()
-    if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming") / APPLICATION
-    if sys.platform == "darwin":
-        return home / "Library" / "Application Support" / APPLICATION
-    return Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config") / APPLICATION
+    import platformdirs  # help is told without it
+
+    return platformdirs.user_config_path(APPLICATION, appauthor=False, roaming=True)
 
 
 def config_files(given: Path | None = None) -> tuple[Path, ...]:
@@ -51,22 +47,16 @@ def chosen_config() -> Path | None:
 
 def cache_directory() -> Path:
     """Where what can be made anew is kept, by the platform's custom."""
-    home = Path.home()
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or home / "AppData" / "Local") / APPLICATION / "cache"
-    if sys.platform == "darwin":
-        return home / "Library" / "Caches" / APPLICATION
-    return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache") / APPLICATION
+    import platformdirs  # help is told without it
+
+    return platformdirs.user_cache_path(APPLICATION, appauthor=False)
 
 
 def data_directory() -> Path:
     """Where this user's recorded runs and crash reports go, by the platform's custom."""
-    home = Path.home()
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or home / "AppData" / "Local") / APPLICATION
-    if sys.platform == "darwin":
-        return home / "Library" / "Application Support" / APPLICATION
-    return Path(os.environ.get("XDG_DATA_HOME") or home / ".local" / "share") / APPLICATION
+    import platformdirs  # help is told without it
+
+    return platformdirs.user_data_path(APPLICATION, appauthor=False)
 
 
 def runs_directory() -> Path:
@@ -87,7 +77,11 @@ def leave_opengl_to_the_renderer() -> None:
 
 
 def runtime_directory() -> Path:
-    """Where the sockets of a served robot are: a folder of this user alone."""
+    """Where the sockets of a served robot are: a folder of this user alone.
+
+    A client and what it talks to must agree on it also where no session has made such a folder, and without
+    a warning; so it is not asked of ``platformdirs``.
+    """
     given = os.environ.get("XDG_RUNTIME_DIR")
     if given and Path(given).is_dir():
         return Path(given) / APPLICATION

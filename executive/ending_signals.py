@@ -16,7 +16,7 @@ _ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class EndedBySignal(KeyboardInterrupt):
-    """The program was asked to end while it has nothing to bring to an end in order."""
+    """A signal asked the program to end, and nothing is under way that has to be ended in order first."""
 
 
 def told(number: int, done: str) -> str:

@@ -46,14 +46,14 @@ class UnknownRunError(UserError):
 
 
 class ScriptError(UserError):
-    """A task script that cannot be one."""
+    """A task script that cannot be read or understood: file, key and reason."""
 
     def __init__(self, source: str, key: str, reason: str) -> None:
         super().__init__(f"{source}: {key}: {reason}" if key else f"{source}: {reason}")
 
 
 class TrajectoryFileError(UserError):
-    """A stored trajectory that cannot be one."""
+    """A stored trajectory that cannot be read: file, place and reason."""
 
     def __init__(self, path: Path, reason: str) -> None:
         super().__init__(f"{path}: {reason}")
@@ -72,4 +72,4 @@ class MissingPartError(UserError):
 
 
 class VocabularyError(UserError):
-    """A list of words that cannot be one: file, word class and reason."""
+    """A list of words that cannot be used: file, word class and reason."""

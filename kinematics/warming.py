@@ -12,7 +12,8 @@ from kinematics.compiled import cache
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
@@ -69,16 +70,16 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     from kinematics.timing.curve_timing import Pace
 
     tell("motion kernel: compiling reach, timing and checker (part 3 of 3)")
-    stance = stance_at(model, model.q_home)
+    robot = StandingRobot.of(model, stance_at(model, model.q_home))
     hand = next(iter(model.description.grippers))
     tcp = model.frame_pose(model.q_home, model.description.grippers[hand].tcp_frame)
-    along_line(inverse_kinematics(model, stance, hand), model.q_home, tcp, tcp, 2)
-    inverse_kinematics(model, stance, hand).solve(tcp, model.q_home)
-    space = free_coordinates(model, stance)
+    along_line(inverse_kinematics(robot, hand), model.q_home, tcp, tcp, 2)
+    inverse_kinematics(robot, hand).solve(tcp, model.q_home)
+    space = free_coordinates(robot)
     ends = space.from_q(model.q_home)[None].repeat(2, axis=0)
     ends[1, space.index(model.description.groups[f"{hand}_arm"][-1])] += 0.1
     ends[1, :1] += 0.001
-    trajectory = time_in_balance(model, space, stance, PolynomialCurve(ends), Pace(0.5, 0.5))
+    trajectory = time_in_balance(robot, PolynomialCurve(ends), Pace(0.5, 0.5))
     rest = np.zeros((1, model.nv))
     compiled_loads(model, MotionSample(model.q_home[None], rest, rest))
     if trajectory is not None:

@@ -29,7 +29,7 @@ VOCABULARY = "humanoid_executive.vocabulary"
 
 @dataclass(frozen=True, slots=True)
 class OutsideFolders:
-    """What a group of entry points leads to.
+    """Folders that other installed packages offer under one group of entry points.
 
     Attributes:
         folders: Folders of data by the names of the entry points, the smaller names first.

@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Seeded(NamedTuple):
-    """A generator for each part, none of which another one's draws change."""
+    """A random generator for each part of a run; what one part draws changes nothing for the others."""
 
     world: np.random.Generator
     perception: np.random.Generator

@@ -20,7 +20,7 @@ class NodeChanged:
 
 @dataclass(frozen=True, slots=True)
 class LeafFailed:
-    """A leaf failed; the tree may still recover."""
+    """A leaf has failed; the tree may still find another way."""
 
     t_s: float
     failure: Failure
@@ -28,7 +28,7 @@ class LeafFailed:
 
 @dataclass(frozen=True, slots=True)
 class NotSo:
-    """A leaf that only asks whether something is so has found that it is not."""
+    """A leaf that only asks whether something is so has found that it is not; nothing has gone wrong."""
 
     t_s: float
     failure: Failure

@@ -1,15 +1,29 @@
-"""Why something failed: typed, placed in the tree, with numbers and the failure that caused it."""
+"""Why something failed: typed, placed in the tree, with numbers for people and the failure that caused it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from enum import Enum
-from typing import Any
+from enum import Enum, unique
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kinematics.motion.verdict import Finding
 
 
 class FailureKind(Enum):
-    """What sort of failure it is."""
+    """What sort of failure it is.
+
+    Attributes:
+        INFEASIBLE: No plan exists or none was found, or a person has to say which thing is meant.
+        UNSAFE: The trajectory checker refused a motion, which was not begun.
+        REFUSED: The gate, the online checker or the state of the robot did not let a motion pass.
+        EXECUTION: A motion was begun and did not end where it should.
+        POSTCONDITION: What has to be true was measured not to be.
+        TIMEOUT: It took longer than its deadline.
+        CANCELED: Somebody halted it.
+        ERROR: A behavior raised an exception, which is a defect of the program.
+    """
 
     INFEASIBLE = "INFEASIBLE"
     UNSAFE = "UNSAFE"
@@ -21,22 +35,91 @@ class FailureKind(Enum):
     ERROR = "ERROR"
 
 
+@unique
+class Reason(Enum):
+    """Why it failed, as far as programs have to tell such failures of one kind apart.
+
+    A member's value is its meaning, for people. Documents hold a member's name.
+    """
+
+    KIND_ONLY = "its kind says all that programs need to know"
+
+    # looking for something
+    NOT_SEEN = "no look showed what is meant; it may be where nobody has looked yet"
+    LOST_FROM_VIEW = "the looks to the sides were to compare what is meant, and did not show it again"
+    SEEN_FROM_AFAR = "what is meant was seen, but from too far away to see all that is on it"
+    OUT_OF_VIEW = "what is meant is known from before, and is not in view now"
+    MORE_LOOKS_NEEDED = "only looks to the sides as well can say which thing is meant"
+    SEVERAL_FIT = "several things fit; a person has to say which one is meant"
+    NOBODY_SEEN = "a look all around has shown no person"
+    NO_FURNITURE_LEFT = "no furniture is left that was not looked at from nearby"
+    NO_ROOMS_LEFT = "no room of the map is left that nobody has looked around in"
+    NO_OUTLOOKS_LEFT = "nothing tall is left that nobody has looked behind"
+
+    # planning, and the room that there is
+    NO_GRASP = "no grasp of the thing or handle was found that a hand can come to"
+    TOO_WIDE = "the thing is wider than any hand opens"
+    NO_WAY_TO_SPOT = "there are free spots, and the hand comes to none of them with what it holds"
+    CANNOT_WALK = "the robot cannot walk here"
+    NO_ROOM = "there is not enough free floor to walk, stand or turn there"
+    PERSON_TOO_FAR = "the person stands too far away to be handed something"
+    STALE_PLAN = "the plan was made for a scene that is no longer believed"
+
+    # moving, and what came of it
+    NOT_FOLLOWED = "a joint did not come to where it was told to go"
+    STUCK = "what the hand led did not give way"
+    SLIPPED_OFF_STUCK = "the hand slid off a handle before what it pulled at could give way"
+    SLIPPED = "a hand lost what it held"
+    DROPPED = "what was let go was seen to have fallen"
+    TAKEN_BY_ANOTHER = "what was let go was seen with somebody for whom it was not meant"
+    SEEN_NOT_AS_ASKED = "it was seen not to be as the task asks, not only felt"
+
+
+_UNSEEN = frozenset({Reason.NOT_SEEN, Reason.LOST_FROM_VIEW, Reason.SEEN_FROM_AFAR})
+
+
 Number = float | int | str | bool
 
 CHOICES_JOINED_BY = " | "
-"""Between the words of a failure's ``choices``."""
+"""Between the words of several choices, where a failure's numbers tell them to people."""
+
+
+@dataclass(frozen=True, slots=True)
+class OpenChoice:
+    """What a person has to choose from, where several things fit.
+
+    Attributes:
+        words: What people call each thing.
+        names: The names that the planning scene has for them, in the same order; empty where it has none.
+        slot: The task's slot that the choice fills in.
+        unseen: How many of them this task has not seen: they may be gone by now.
+        one_will_do: Whether nobody has to be asked where there is one choice alone.
+    """
+
+    words: tuple[str, ...]
+    names: tuple[str, ...] = ()
+    slot: str = "object"
+    unseen: int = 0
+    one_will_do: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """One link of a failure chain.
+    """One link of a failure chain: what failed, why, and which failure had caused it.
+
+    Programs decide by its kind and reason, and take values from its typed fields. Its message and numbers are
+    for people.
 
     Attributes:
         kind: What sort of failure.
-        message: One sentence for people, without the numbers' names.
-        numbers: What was measured and what it had to be; keys carry their unit.
-        where: Place in the tree, names joined by "/"; the life cycle fills it in.
+        message: One sentence for people, without the names of the numbers.
+        numbers: What was measured and what it had to be, for people; keys carry their unit.
+        where: The place in the tree, as names from the root down, joined by "/"; the life cycle of leaves
+            fills it in.
         cause: The failure that led to this one.
+        reason: Which one of its kind, where that is told apart.
+        open_choice: What a person has to choose from, when several things fit.
+        finding: What the checker found first, when it refused a motion.
     """
 
     kind: FailureKind
@@ -44,6 +127,9 @@ class Failure:
     numbers: Mapping[str, Number] = field(default_factory=dict)
     where: str = ""
     cause: Failure | None = None
+    reason: Reason = Reason.KIND_ONLY
+    open_choice: OpenChoice | None = None
+    finding: Finding | None = None
 
     @classmethod
     def infeasible(cls, message: str, cause: Failure | None = None, **numbers: Number) -> Failure:
@@ -51,9 +137,28 @@ class Failure:
         return cls(FailureKind.INFEASIBLE, message, numbers, cause=cause)
 
     @classmethod
-    def unsafe(cls, message: str, cause: Failure | None = None, **numbers: Number) -> Failure:
-        """The trajectory checker said no."""
-        return cls(FailureKind.UNSAFE, message, numbers, cause=cause)
+    def asking(cls, message: str, open_choice: OpenChoice) -> Failure:
+        """Several things fit; the message is the question that a person has to answer."""
+        words = open_choice.words
+        return cls(
+            FailureKind.INFEASIBLE,
+            message,
+            {"choices": CHOICES_JOINED_BY.join(words), "count": len(words)},
+            reason=Reason.SEVERAL_FIT,
+            open_choice=open_choice,
+        )
+
+    @classmethod
+    def unsafe(
+        cls,
+        message: str,
+        cause: Failure | None = None,
+        *,
+        finding: Finding | None = None,
+        **numbers: Number,
+    ) -> Failure:
+        """The trajectory checker said no; the finding is the first that it made."""
+        return cls(FailureKind.UNSAFE, message, numbers, cause=cause, finding=finding)
 
     @classmethod
     def refused(cls, message: str, cause: Failure | None = None, **numbers: Number) -> Failure:
@@ -84,42 +189,33 @@ class Failure:
         """The same failure with its place in the tree."""
         return replace(self, where=where)
 
+    def because(self, reason: Reason) -> Failure:
+        """The same failure, told apart from others of its kind."""
+        return replace(self, reason=reason)
+
     def caused_by(self, cause: Failure | None) -> Failure:
         """The same failure with its cause."""
         return replace(self, cause=cause)
 
     @property
     def is_unseen(self) -> bool:
-        """Whether no look showed what is meant: the root tells what was ``seen`` in its place."""
-        root = self.root
-        return root.kind is FailureKind.POSTCONDITION and isinstance(root.numbers.get("seen"), str)
-
-    @property
-    def is_no_grasp(self) -> bool:
-        """Whether the planner found no way to grasp what was seen: the root tells ``grasps_considered``."""
-        root = self.root
-        return root.kind is FailureKind.INFEASIBLE and "grasps_considered" in root.numbers
-
-    @property
-    def wants_nearer(self) -> bool:
-        """Whether somebody stands too far away for a hand-over: the root tells ``person_m``."""
-        root = self.root
-        return root.kind is FailureKind.INFEASIBLE and "person_m" in root.numbers
+        """Whether the chain began with a look that did not show what is meant: it may be seen elsewhere."""
+        return self.root.reason in _UNSEEN
 
     @property
     def choices(self) -> tuple[str, ...]:
         """What a person has to choose from, when several things fit; at the root of the chain."""
-        return self._listed("choices")
+        return () if (choice := self.root.open_choice) is None else choice.words
 
     @property
     def choice_names(self) -> tuple[str, ...]:
         """The names that the planning scene has for the ``choices``, in the same order."""
-        return self._listed("objects")
+        return () if (choice := self.root.open_choice) is None else choice.names
 
     @property
     def choice_slot(self) -> str:
         """The task's slot that a choice fills in."""
-        return str(self.root.numbers.get("slot", "object"))
+        return "object" if (choice := self.root.open_choice) is None else choice.slot
 
     @property
     def root(self) -> Failure:
@@ -129,16 +225,32 @@ class Failure:
             root = root.cause
         return root
 
-    def _listed(self, key: str) -> tuple[str, ...]:
-        told = self.root.numbers.get(key)
-        return tuple(str(told).split(CHOICES_JOINED_BY)) if told is not None else ()
-
     def to_json(self) -> dict[str, Any]:
-        """As the command-line contract writes a failure."""
+        """As the command-line contract writes a failure; a typed field that says nothing is left out."""
+        typed: dict[str, Any] = {}
+        if self.reason is not Reason.KIND_ONLY:
+            typed["reason"] = self.reason.name
+        if (choice := self.open_choice) is not None:
+            typed["open_choice"] = {
+                "words": list(choice.words),
+                "names": list(choice.names),
+                "slot": choice.slot,
+                "unseen": choice.unseen,
+                "one_will_do": choice.one_will_do,
+            }
+        if (finding := self.finding) is not None:
+            typed["finding"] = {
+                "kind": finding.kind.value,
+                "t_s": finding.t_s,
+                "subject": list(finding.subject),
+                "value": finding.value,
+                "limit": finding.limit,
+            }
         return {
             "kind": self.kind.value,
             "where": self.where,
             "message": self.message,
             "numbers": dict(self.numbers),
+            **typed,
             "cause": None if self.cause is None else self.cause.to_json(),
         }

@@ -68,7 +68,7 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class CheckedStep:
-    """A step that the checker let pass."""
+    """A planned step whose trajectory the checker has let pass."""
 
     name: str
     checked: CheckedTrajectory
@@ -83,7 +83,7 @@ class Placement(Sealed):
         hand: The hand that holds it.
         odom_T_object: Its pose there, shape (4, 4).
         touches: Names of what it may touch there.
-        spot: What the spot is remembered by.
+        spot: A name for the spot, by which later attempts recognize it and leave it out.
     """
 
     hand: Hand

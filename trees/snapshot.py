@@ -11,11 +11,11 @@ NodeKind = Literal["sequence", "selector", "parallel", "decorator", "leaf"]
 
 @dataclass(frozen=True, slots=True)
 class NodeSnapshot:
-    """One node.
+    """One node of a tree, with its children.
 
     Attributes:
         name: As the tree names it: "reach", "close gripper".
-        kind: What sort of node.
+        kind: The class of the node, such as a leaf's or a control node's.
         status: "idle" before its first tick and after a reset.
         message: The newest thing that it has to say: progress, numbers, or why it failed.
         children: In order.

@@ -22,20 +22,18 @@ from trees.nodes.leaf import Leaf, from_exception
 from trees.nodes.retry import Retry
 from trees.nodes.snapshot_of import snapshot_of, status_word
 from trees.port_values import Target
+from trees.registry import skill_of
+from trees.skill import Need
 from trees.snapshot import TreeSnapshot
-from trees.tasks import MoveTask, ObjectDescription, Task, WalkToTask
+from trees.tasks import ObjectDescription, Task, WalkToTask
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
 _STATUS = attrgetter("status")
 
 
-_VERBS = {"pick": "pick up"}
-_BEFORE_AIM = {"wave": "to ", "say": "it to "}
-
-
 class TaskTree:
-    """A tree at work. ``tick`` never raises and never waits.
+    """The behavior tree of one task while it is carried out; ``tick`` never raises and never waits.
 
     Attributes:
         task: What it does.
@@ -141,7 +139,7 @@ class TaskTree:
         if held:
             numbers["still_held"] = held
         message = f"could not {_verb(self.task)}: {why.message}" + (f"; {held}" if held else "")
-        return Failure(why.kind, message, numbers, self.root.name, why)
+        return Failure(why.kind, message, numbers, self.root.name, why, why.reason)
 
     def _held(self) -> str:
         hands = [hand for hand, gripper in self._toolbox.grippers.items() if gripper.reading().holding]
@@ -179,7 +177,8 @@ class TaskTree:
         place = self._written("place")
         if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
             self.acted_on = place.name if done else None
-        if isinstance(self.task, WalkToTask | MoveTask):
+        skill = skill_of(self.task)
+        if skill is not None and Need.LEGS in skill.needs:
             self._toolbox.world.sent_to = None
             if done and isinstance(place, Place) and place.category == "furniture":
                 self._toolbox.world.sent_to = place.name
@@ -196,7 +195,8 @@ class TaskTree:
 
 def _verb(task: Task) -> str:
     """What could not be done: "pick up the red cup", "walk to the kitchen"."""
-    verb = _VERBS.get(task.action, task.action.replace("_", " "))
+    skill = skill_of(task)
+    verb = task.action.replace("_", " ") if skill is None else skill.words
     thing = getattr(task, "object", None)
     count = getattr(task, "count", 1)
     if isinstance(thing, ObjectDescription) and count != 1:
@@ -205,4 +205,8 @@ def _verb(task: Task) -> str:
         return f"{verb} the {thing}"
     aims = (getattr(task, slot, None) for slot in ("to", "person"))
     aim = next(filter(None, aims), None)
-    return verb if aim is None else f"{verb} {_BEFORE_AIM.get(task.action, '')}{called(aim)}"
+    if aim is None:
+        return verb
+    said = "it" if hasattr(task, "words") else ""
+    toward = "" if skill is None else skill.toward
+    return " ".join(word for word in (verb, said, toward, called(aim)) if word)

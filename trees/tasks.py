@@ -1,13 +1,13 @@
 """What a person can ask for, as frozen values; the slots are those of the command-line contract.
 
-Every slot but ``text`` and ``action`` says nothing when it is absent. Which of these tasks a robot can
-carry out is known by ``trees.build``.
+Every slot but ``text`` and ``action`` says nothing when it is absent. Which tasks a robot can carry out is
+known by ``trees.registry``; a skill may bring a task type of its own.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import Field, dataclass
+from typing import Any, ClassVar, Literal, Protocol
 
 from kinematics.model.robot_description import Hand
 
@@ -15,6 +15,22 @@ RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "next_to", "on", "in", "under", "nearest"
 ]
 Count = int | Literal["both", "all"]
+
+
+class Task(Protocol):
+    """What a person can ask for: a frozen dataclass with its sentence and the name of its action."""
+
+    __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
+
+    @property
+    def text(self) -> str:
+        """The sentence that it came from."""
+        ...
+
+    @property
+    def action(self) -> str:
+        """The name of the skill that carries it out, "pick"."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -336,27 +352,6 @@ class GoHomeTask:
     text: str
 
     action = "go_home"
-
-
-Task = (
-    PickTask
-    | PlaceTask
-    | PutInTask
-    | HandOverTask
-    | OpenTask
-    | CloseTask
-    | WalkToTask
-    | MoveTask
-    | WaveTask
-    | PointAtTask
-    | LookAtTask
-    | FindTask
-    | CountTask
-    | DescribeTask
-    | SayTask
-    | WaitTask
-    | GoHomeTask
-)
 
 
 Bringing = PickTask | HandOverTask | PlaceTask | PutInTask

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
-from kinematics.motion.verdict import CheckedTrajectory
-from kinematics.requests.any_request import PlanRequest
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded.guarded_motion import GuardedMotion
@@ -22,17 +23,19 @@ from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle
 from robots.interface.gripper_reading import GripperReading
 from robots.interface.sensed_state import SensedState
-from robots.perception.detector import Detector
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
 from trees.world_model import WorldModel
 
+Planned = TypeVar("Planned")
+Answer = TypeVar("Answer", covariant=True)
+
 
 @dataclass(slots=True)
 class Pauses:
-    """Adds up pauses; whoever runs the tasks writes it, deadlines read it.
+    """How long trees have been paused so far: who runs tasks adds to it, and deadlines leave that time out.
 
     Attributes:
         total_s: Seconds on the injected clock, since the beginning, in which trees were not ticked.
@@ -42,7 +45,7 @@ class Pauses:
 
 
 class MotionControl(Protocol):
-    """The way to the motors: the motion streamer, or a client of one."""
+    """Starts and cancels motions of the body: the motion streamer itself, or a client of it."""
 
     def start(self, motion: CheckedTrajectory | GuardedMotion) -> MotionHandle:
         """Begin to stream a motion; refused at once when it does not start at the reference."""
@@ -62,7 +65,7 @@ class MotionControl(Protocol):
 
 
 class Walking(Protocol):
-    """The way to the feet; while a walk is under way nothing else moves the body."""
+    """Starts, steers and ends walks; while a walk is under way nothing else moves the body."""
 
     @property
     def active(self) -> bool:
@@ -87,7 +90,7 @@ class Walking(Protocol):
 
 
 class YieldingMotion(Protocol):
-    """A hand that leads and yields, under way."""
+    """A motion that is under way, in which a hand leads something along and gives way across it."""
 
     @property
     def handle(self) -> MotionHandle:
@@ -105,7 +108,7 @@ class YieldingMotion(Protocol):
 
 
 class Yielding(Protocol):
-    """The way to a hand that yields to what it holds."""
+    """Starts motions in which a hand gives way to what it holds or meets."""
 
     def start(self, order: YieldOrder) -> YieldingMotion:
         """Begin where the robot is commanded to be now; the handle is refused when it may not."""
@@ -113,7 +116,7 @@ class Yielding(Protocol):
 
 
 class Sensing(Protocol):
-    """What the robot knows about itself."""
+    """The readings of the robot's own sensors, and the configuration that is estimated from them."""
 
     def state(self) -> SensedState:
         """The newest readings and the configuration estimated from them."""
@@ -125,7 +128,7 @@ class Sensing(Protocol):
 
 
 class Gripper(Protocol):
-    """One hand's gripper."""
+    """The gripper of one hand: it opens, closes and tells what it feels."""
 
     def open(self) -> MotionHandle:
         """Open fully."""
@@ -140,19 +143,19 @@ class Gripper(Protocol):
         ...
 
 
-class Job(Protocol):
-    """A piece of planning under way."""
+class Job(Protocol[Answer]):
+    """A request to a planner or to the checker, under way or answered."""
 
     @property
     def done(self) -> bool:
         """Whether ``result`` may be called; in lockstep not before its charged time has passed."""
         ...
 
-    def result(self) -> Any:
-        """The planner's answer.
+    def result(self) -> Answer:
+        """The answer.
 
         Raises:
-            Exception: Whatever the planner raised.
+            Exception: Whatever the planner or the checker raised.
         """
         ...
 
@@ -162,16 +165,20 @@ class Job(Protocol):
 
 
 class Planning(Protocol):
-    """Where planning runs: inline in lockstep, worker processes in live."""
+    """Answers requests to planners and the checker: at once in lockstep, in worker processes in live."""
 
-    def submit(self, request: PlanRequest) -> Job:
+    def submit(self, request: Request[Planned]) -> Job[Planned]:
         """Begin to answer a request."""
+        ...
+
+    def check(self, question: CheckRequest) -> Job[CheckedTrajectory | Unsafe]:
+        """Begin to judge a trajectory: a door of its own, for that is no planning."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Toolbox:
-    """Everything that a leaf may use."""
+    """Everything that a leaf may use: what moves the robot, what it senses, plans and believes."""
 
     clock: Clock
     model: RobotModel

@@ -17,8 +17,8 @@ from trees.beliefs.sight.sight import Glimpse
 
 
 @dataclass(frozen=True, slots=True)
-class Origin(Sealed):
-    """A place on a piece of furniture.
+class FormerPlace(Sealed):
+    """Where an object stood on a piece of furniture before a hand took it.
 
     Attributes:
         support: What it stood on, as the planning scene names it.
@@ -31,7 +31,9 @@ class Origin(Sealed):
 
 @dataclass(frozen=True, slots=True)
 class HandAtHandle:
-    """A hand that is about a handle, or on its last piece of way to it; it outlives the task.
+    """A hand whose fingers are around a handle, or on the last part of the way to it.
+
+    It is remembered beyond the task that brought it there, so that a later task lets go of the handle first.
 
     Attributes:
         target: Which handle.
@@ -48,25 +50,26 @@ _MOST_GLIMPSES = 40
 
 
 class WorldModel:
-    """Holds the current planning scene.
+    """What the robot believes about the world: the current planning scene, and how it came to be known.
 
-    Leaves replace the scene; whoever kept an older one sees by its version that it is stale.
+    Leaves replace the scene by a newer one. Whoever kept an older one sees by its version that it is stale.
 
     Attributes:
         sightings: The newest estimate of each thing that was seen in this task, by its name, for those that
             are still believed.
-        glimpses: From where it was looked at, the newest last; what no look shows is unknown.
-        last_acted_on: Name of the object that a task before was about, and did or touched; "the other one" is
-            not that.
-        asked_at: Where the robot stood when it was asked for what it is doing, shape (4, 4), or None; "the
-            other table" is not the one before it there.
-        sent_to: Name of the furniture that the errand under way has walked to, or None; of several that fit,
-            what stands there is meant.
-        put_down: What a hand of this robot let go of, by its name, until a hand takes it up again: where a
-            look has shown it since, else where the hand had it.
-        taken_from: Where it stood, of each thing that a hand has or that this task put down, by its name.
-        at_handle: A hand that is about the handle of a door or drawer; None once it has drawn back. A task
-            that was cancelled leaves it there, and the next one has to let go first.
+        glimpses: The looks that were taken from about here, the newest last; what no look has shown is
+            unknown.
+        last_acted_on: Name of the object that an earlier task was about, if the task was done or a hand has
+            touched the object; "the other one" then means a different object.
+        asked_at: Where the robot stood when it was given the command that it is carrying out, shape (4, 4),
+            or None; "the other table" is a different one than the table that it stood before.
+        sent_to: Name of the furniture that the command under way has made the robot walk to, or None; of
+            several things that fit, the one on this furniture is meant.
+        put_down: The objects that a hand of this robot has let go of, by name, until a hand takes them up
+            again. Each is where a later look has shown it, or else where the hand let go of it.
+        taken_from: Where each object stood, by name, that a hand holds or that this task has put down.
+        at_handle: The hand that is at the handle of a door or drawer; None once it has drawn back. A
+            cancelled task leaves the hand there, and the next task has to let go first.
     """
 
     def __init__(self, scene: PlanningScene | None = None) -> None:
@@ -77,7 +80,7 @@ class WorldModel:
         self.asked_at: Transform | None = None
         self.sent_to: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
-        self.taken_from: Mapping[str, Origin] = {}
+        self.taken_from: Mapping[str, FormerPlace] = {}
         self.at_handle: HandAtHandle | None = None
 
     @property
@@ -110,7 +113,7 @@ class WorldModel:
         """Remember that a hand let go of something; the scene has it already."""
         self.put_down = {**self.put_down, name: self._scene.objects[name]}
 
-    def note_taken(self, name: str, origin: Origin) -> None:
+    def note_taken(self, name: str, origin: FormerPlace) -> None:
         """Remember where a thing stood before a task took it, though that puts it down and takes it again."""
         self.taken_from = {name: origin, **self.taken_from}
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from executive.checks.run_apart import carried_out_apart
 from executive.config import leave_opengl_to_the_renderer
 from executive.dialogue.attendant import Nobody
-from executive.dialogue.settle_words import settled
+from executive.dialogue.settle_words import settled, without_skill
 from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand, wording
 from executive.references import references
@@ -18,22 +18,21 @@ from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.scripts.task_script import script_for
 from executive.session.task_result import TaskResult, chain
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
-from executive.understanding.known_skills import without_skill
 from executive.understanding.statement import Statement
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
-from kinematics.requests.any_request import PlanRequest
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.pick import PickPlan
-from robots.models.description import load_description_for_tasks
+from kinematics.requests.request import Request
+from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.build import NoSkillError
 from trees.failures import FailureKind
 from trees.policy import Gaze, TreePolicy
-from trees.skills.pick.rehearsal import build_rehearsal
+from trees.skills.pick.dry_run import build_dry_run
 from trees.tasks import GoHomeTask, PickTask, Task
-from trees.toolbox import Job, Planning, Toolbox
+from trees.toolbox import Job, Planned, Planning, Toolbox
 
 if TYPE_CHECKING:
     from trees.task_tree import TaskTree
@@ -140,14 +139,20 @@ def _verdict(result: TaskResult) -> tuple[Outcome, str]:
 
 @dataclass(slots=True)
 class _Listening:
-    """Passes requests on to the planning service, and remembers them with their jobs."""
+    """Passes requests and checks on to the planning service, and remembers their jobs."""
 
     planning: Planning
-    jobs: list[tuple[PlanRequest, Job]] = field(default_factory=list)
+    plans: list[Job[object]] = field(default_factory=list)
+    checks: list[tuple[CheckRequest, Job[CheckedTrajectory | Unsafe]]] = field(default_factory=list)
 
-    def submit(self, request: PlanRequest) -> Job:
+    def submit(self, request: Request[Planned]) -> Job[Planned]:
         job = self.planning.submit(request)
-        self.jobs.append((request, job))
+        self.plans.append(job)
+        return job
+
+    def check(self, question: CheckRequest) -> Job[CheckedTrajectory | Unsafe]:
+        job = self.planning.check(question)
+        self.checks.append((question, job))
         return job
 
 
@@ -181,7 +186,7 @@ class _Rehearsal:
         """Rehearse a command, with one gaze after the other until what it is about is seen."""
         leave_opengl_to_the_renderer()
         self.notes.append(wording(command))
-        camera = load_description_for_tasks(self._place[0]).camera
+        camera = load_robot_for_tasks(self._place[0]).description.camera
         gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
         for gaze in gazes:
             result = self._look(
@@ -198,20 +203,22 @@ class _Rehearsal:
         result = session.run_task(command)
         seen = kinds_in(self._toolbox.world.scene.objects)
         self.notes.append(f"  looking {gaze.name}, seen: {seen}")
-        answers = [(request, job.result()) for request, job in self._listening.jobs if job.done]
-        names = iter(("reach", "approach", "lift"))
-        for request, answer in answers:
-            if isinstance(answer, PickPlan):
-                grasp = answer.grasp
+        listening = self._listening
+        plans = [job.result() for job in listening.plans if job.done]
+        checks = [(question, job.result()) for question, job in listening.checks if job.done]
+        for plan in plans:
+            if isinstance(plan, PickPlan):
+                grasp = plan.grasp
                 self.notes.append(
-                    f"  first plan: {grasp.hand} hand, {grasp.label}, {answer.considered} grasps considered"
+                    f"  first plan: {grasp.hand} hand, {grasp.label}, {plan.considered} grasps considered"
                 )
-            elif isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
-                name = f"{wording(command)}: {next(names)}"
-                self.motions.append(MotionVerdict(name, request.trajectory, answer))
+        names = iter(("reach", "approach", "lift"))
+        for question, verdict in checks:
+            name = f"{wording(command)}: {next(names)}"
+            self.motions.append(MotionVerdict(name, question.trajectory, verdict))
         return result
 
     def _build(self, task: Task, toolbox: Toolbox) -> TaskTree:
         self._listening = _Listening(toolbox.planning)
         self._toolbox = replace(toolbox, planning=self._listening, motion=_Motionless(toolbox))
-        return build_rehearsal(task, self._toolbox)
+        return build_dry_run(task, self._toolbox)

@@ -23,7 +23,7 @@ _REQUIRED_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that was looked at.
+    """The result of one check of this machine: a library, a compiler, a device.
 
     Attributes:
         name: What.

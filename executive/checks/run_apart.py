@@ -19,7 +19,7 @@ from robots.scenes.scene_description import SceneDescription
 
 @dataclass(frozen=True, slots=True)
 class CarriedOut:
-    """How it went.
+    """What commands came to when they were carried out in a world of their own.
 
     Attributes:
         line: The last line, as a run prints it.

@@ -24,8 +24,15 @@ def preview(task: Task) -> TreeSnapshot:
 
 
 def preview_document(task: Task) -> str:
-    """The tree as a document of BehaviorTree.CPP 4."""
-    return write_tree(build_tree(task, _nowhere()).root)
+    """The tree as a document of BehaviorTree.CPP 4.
+
+    Raises:
+        UserError: Something in it has no name that could be read again, as in a skill from outside.
+    """
+    try:
+        return write_tree(build_tree(task, _nowhere()).root)
+    except TreeDocumentError as wrong:
+        raise UserError(f"the tree of {task.action!r} cannot be written: {wrong}") from wrong
 
 
 def preview_of_document(text: str, source: str) -> TreeSnapshot:

@@ -45,7 +45,7 @@ class Stoppable(Protocol):
 
 
 class Attendant(Protocol):
-    """Somebody at a run."""
+    """Whoever answers a run's questions and may cancel, stop or pause it."""
 
     def begin(self, session: Stoppable) -> None:
         """Called once, before the first task begins."""
@@ -61,7 +61,7 @@ class Attendant(Protocol):
 
 
 class Nobody:
-    """Leaves every question open."""
+    """An attendant who leaves every question open and never interrupts."""
 
     def begin(self, _session: Stoppable) -> None:
         """Nothing to prepare."""

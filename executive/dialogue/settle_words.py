@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 
 from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion, clarified
-from executive.meaning import Parsed, Refusal
+from executive.meaning import Command, Parsed, Refusal, StopCommand
+from executive.session.driver import Driver, driven
 from executive.session.events import EventSink, InputTaken, QuestionAsked
 from executive.trust import OnQuestion
-from executive.understanding.known_skills import without_skill
 from executive.understanding.statement import Statement
-from trees.build import NoSkillError
+from trees.build import NoSkillError, has_skill
 from trees.failures import Failure
+from trees.tasks import Task
 
 Settling = Generator[OpenQuestion, str | None, Statement | Failure]
 """A question where one is open; takes its answer, or None when there is none."""
 
 
-def _goes_on() -> Failure | None:
+def goes_on() -> Failure | None:
+    """Nothing ends it."""
     return None
 
 
@@ -28,7 +30,7 @@ def settling(
     on_question: OnQuestion,
     sink: EventSink,
     now_s: Callable[[], float] = lambda: 0.0,
-    interruption: Callable[[], Failure | None] = _goes_on,
+    interruption: Callable[[], Failure | None] = goes_on,
 ) -> Settling:
     """Ask what is unclear in the words themselves, and refuse what is no skill; nothing moves yet.
 
@@ -61,18 +63,11 @@ def settled(
     on_question: OnQuestion,
     sink: EventSink,
     now_s: Callable[[], float] = lambda: 0.0,
-    interruption: Callable[[], Failure | None] = _goes_on,
+    interruption: Callable[[], Failure | None] = goes_on,
 ) -> Statement | Failure:
     """The same as ``settling``, with somebody who answers at once or not at all."""
     steps = settling(statement, on_question, sink, now_s, interruption)
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            result: Statement | Failure = end.value
-            return result
-        answer = attendant.answer(question)
+    return driven(steps, attendant.answer)
 
 
 def _asked(
@@ -83,14 +78,8 @@ def _asked(
     interruption: Callable[[], Failure | None],
 ) -> Settling:
     confirmed = statement.if_confirmed
-    steps = clarified(statement.parsed, None if confirmed is None else {"yes": confirmed.parsed})
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            parsed: Parsed = end.value
-            break
+    asking = Driver(clarified(statement.parsed, None if confirmed is None else {"yes": confirmed.parsed}))
+    while asking.advance() and (question := asking.question) is not None:
         sink(QuestionAsked(now_s(), statement.parsed.text, question.text, question.choices))
         if on_question == "ask":
             answer = yield question
@@ -99,6 +88,16 @@ def _asked(
         else:
             answer = question.choices[0] if on_question == "first" and question.choices else None
         sink(InputTaken(now_s(), "answer", answer or ""))
+        asking.answer(answer)
+    parsed = asking.result
     if confirmed is not None and parsed is confirmed.parsed:
         return statement.meaning(confirmed)
     return replace(statement, parsed=parsed)
+
+
+def without_skill(commands: Sequence[Command]) -> Task | None:
+    """The first command that nothing here can carry out, or None."""
+    for command in commands:
+        if not isinstance(command, StopCommand) and not has_skill(command):
+            return command
+    return None

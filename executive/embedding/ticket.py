@@ -21,6 +21,7 @@ from executive.dialogue.settle_words import settling
 from executive.errands.errand import Errand, Steps
 from executive.scripts.script_run import not_begun, not_understood
 from executive.session.cancellation import Cancellation
+from executive.session.driver import Driver
 from executive.session.events import Event
 from executive.session.task_result import TaskResult
 from executive.trust import OnQuestion
@@ -34,7 +35,7 @@ Answerer = Callable[[OpenQuestion], str | None]
 
 
 class Ticket:
-    """One request. Made by ``Requests.submit``.
+    """One request and what becomes of it; made by ``Requests.submit``.
 
     Attributes:
         statement: What was understood; once it is under way, with what its answers mean.
@@ -53,21 +54,18 @@ class Ticket:
         self._on_question, self._timeout_s = on_question, timeout_s
         self._answerer: Answerer | None = None
         self._subscribers: list[Callable[[Event], None]] = []
-        self._answer: str | None = None
-        self._question: OpenQuestion | None = None
-        self._results: tuple[TaskResult, ...] | None = None
         self._cancellation = Cancellation()
-        self._steps = self._begin()
+        self._driver = Driver(self._begin())
 
     @property
     def done(self) -> bool:
         """Whether it has ended."""
-        return self._results is not None
+        return self._driver.done
 
     @property
     def question(self) -> OpenQuestion | None:
         """The question that holds it, or None."""
-        return self._question
+        return self._driver.question
 
     def subscribe(self, hear: Callable[[Event], None]) -> None:
         """Have every event told that is told while it is under way."""
@@ -83,9 +81,7 @@ class Ticket:
         Raises:
             RuntimeError: No question is open.
         """
-        if self._question is None:
-            raise RuntimeError("no question is open")
-        self._answer, self._question = text, None
+        self._driver.answer(text)
         self._session.wake()
 
     def cancel(self, reason: str = "cancelled") -> None:
@@ -103,20 +99,14 @@ class Ticket:
         if self._before is not None and not self._before.done:
             return self._before.advance()
         self._before = None
-        if self._question is not None:
+        if self.question is not None:
             if not self._session.interrupted:
                 return False
             self.answer(None)
-        answer, self._answer = self._answer, None
-        with self._session.events.heard_by(self._hear):
-            try:
-                self._question = self._steps.send(answer)
-            except StopIteration as end:
-                self._results = end.value
-                self._session.wake()
-                return False
-        if self._question is not None and self._answerer is not None:
-            self.answer(self._answerer(self._question))
+        if not self._step():
+            return False
+        if self.question is not None and self._answerer is not None:
+            self.answer(self._answerer(self.question))
         return True
 
     def result(self) -> tuple[TaskResult, ...]:
@@ -127,7 +117,7 @@ class Ticket:
         while not self.done:
             if not self.advance() and not self.done:
                 self._leave_open()
-        return self._results or ()
+        return self._driver.result
 
     def __await__(self) -> Generator[Any, None, tuple[TaskResult, ...]]:
         """Go on to the end, letting the event loop run between two ticks; sleeps until there is an answer."""
@@ -146,7 +136,16 @@ class Ticket:
                     await asyncio.sleep(0)
                 elif not self.done:
                     await woken.wait()
-        return self._results or ()
+        return self._driver.result
+
+    def _step(self) -> bool:
+        """Let those who subscribed hear one step; whoever sleeps is told of the end."""
+        try:
+            with self._session.events.heard_by(self._hear):
+                return self._driver.advance()
+        finally:
+            if self._driver.done:
+                self._session.wake()
 
     def _leave_open(self) -> None:
         ticket: Ticket | None = self

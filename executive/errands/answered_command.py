@@ -20,7 +20,7 @@ from executive.session.events import InputTaken, QuestionAsked
 from executive.session.session import Session
 from executive.trust import OnQuestion
 from trees.beliefs.grounding.grounding import exactly, ground
-from trees.beliefs.grounding.questions import ONE_WILL_DO, OTHER
+from trees.beliefs.grounding.questions import OTHER
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.failures import Failure, FailureKind
 from trees.tasks import ObjectDescription, WalkToTask
@@ -46,9 +46,9 @@ def answered_command(
         The command with the choice that was made; why it was withdrawn, cancelled or stopped meanwhile;
         None when nobody answered.
     """
-    choices, names = failure.choices, failure.choice_names
-    question = failure.root.message
-    if len(names) == 1 and failure.root.numbers.get(ONE_WILL_DO):
+    choices, names, asks = failure.choices, failure.choice_names, failure.root
+    question = asks.message
+    if len(names) == 1 and asks.open_choice is not None and asks.open_choice.one_will_do:
         return _answered(command, failure.choice_slot, names[0])
     session.tell(QuestionAsked(session.now_s, command.text, question, choices))
     if on_question == "fail" or not names:

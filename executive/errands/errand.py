@@ -9,19 +9,19 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
-from executive.dialogue.attendant import Attendant
 from executive.dialogue.clarification import OpenQuestion
+from executive.dialogue.settle_words import without_skill
 from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
-from executive.errands.impossible import impossible
+from executive.errands.impossible import beyond
 from executive.errands.nearness import Nearness
+from executive.errands.required import handles, with_names
 from executive.errands.unsaid_steps import (
     Known,
     Prepared,
     looked_for,
     prepared,
     seen_from_where,
-    with_names,
 )
 from executive.meaning import Command
 from executive.references import PREVIOUS, references, with_references
@@ -29,14 +29,12 @@ from executive.session.events import TaskRefused
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.trust import OnQuestion
-from executive.understanding.known_skills import without_skill
 from executive.understanding.provenance import Provenance
 from trees.beliefs.grounding.grounding import exactly
 from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.tasks import (
-    Bringing,
     Destination,
     HandOverTask,
     ObjectDescription,
@@ -51,7 +49,7 @@ Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 
 
 class Errand:
-    """One statement's commands on their way.
+    """Carries out the commands of one statement in order, a tick at a time.
 
     Args:
         session: Carries out single tasks.
@@ -151,20 +149,20 @@ class Errand:
             return (
                 unseen and not self._walked_with and not step.is_reached and _may_be_elsewhere(asked, known)
             )
-        if not isinstance(command, Bringing) or command.count != 1:
+        if not handles(command) or command.count != 1:
             return False
         carries = self._carries(command)
         if carries in self._walked_with or (step.is_reached and not carries):
             return False
         if failure.is_unseen:
             return unseen and _may_be_elsewhere(command.source, known)
-        if failure.wants_nearer:
+        if failure.root.reason is Reason.PERSON_TOO_FAR:
             return True
-        if failure.is_no_grasp and _is_far(command.object, known):
+        if failure.root.reason is Reason.NO_GRASP and _is_far(command.object, known):
             return True
         if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
             return False  # and what no hand could take is brought nowhere
-        meant = self._beliefs.settled(command)
+        meant = self._beliefs.with_other_furniture_named(command)
         return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
 
     def _carries(self, command: Command) -> bool:
@@ -199,9 +197,9 @@ class Errand:
         if isinstance(command, Failure):
             return TaskResult(self._commands[-1].text, self._commands[-1].action, "failed", failure=command)
         times, attempts = TaskTimes(), 0
-        command = self._beliefs.settled(command)
+        command = self._beliefs.with_other_furniture_named(command)
         while True:
-            result = yield from _silent(self._session.task_steps(command, self._timeout_s))
+            result = yield from self._session.task_steps(command, self._timeout_s)
             times, attempts = _sum(times, result.times), attempts + result.attempts
             result = replace(result, times=times, attempts=attempts)
             if result.outcome != "question" or result.failure is None:
@@ -215,7 +213,7 @@ class Errand:
                 return replace(result, outcome="cancelled", failure=answered)
             command = answered
             if (walk := self._walk_there(command, result.failure)) is not None:
-                walked = yield from _silent(self._session.task_steps(walk, self._timeout_s))
+                walked = yield from self._session.task_steps(walk, self._timeout_s)
                 times = _sum(times, walked.times)
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
@@ -239,8 +237,7 @@ class Errand:
             self._session.tell(TaskRefused(self._session.now_s, command.text, message, None))
             failure = Failure(FailureKind.REFUSED, message)
             return TaskResult(command.text, command.action, "refused", failure=failure)
-        toolbox = self._session.toolbox
-        why = impossible(self._commands, toolbox.places, toolbox.detector.labels)
+        why = beyond(self._commands, self._session.toolbox)
         if why is None:
             return None
         self._session.tell(TaskRefused(self._session.now_s, why.command.text, why.message, why.word))
@@ -286,35 +283,6 @@ def _is_far(place: Destination | Thing | None, known: Known) -> bool:
     if not isinstance(place, ObjectDescription) or place.kind is None:
         return False
     return not known.is_near(Nearness(place))
-
-
-def drive(steps: Steps, attendant: Attendant, session: Session) -> tuple[TaskResult, ...]:
-    """Let an errand go on to its end, with somebody who answers its questions and may stop it."""
-    answer: str | None = None
-    while True:
-        try:
-            question = steps.send(answer)
-        except StopIteration as end:
-            results: tuple[TaskResult, ...] = end.value
-            return results
-        answer = None
-        if question is None:
-            attendant.attend(session)
-        else:
-            answer = attendant.answer(question)
-
-
-def _silent(
-    steps: Generator[None, None, TaskResult],
-) -> Generator[OpenQuestion | None, str | None, TaskResult]:
-    """Pass ticks on; what is sent in between is for nobody."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            result: TaskResult = end.value
-            return result
-        yield None
 
 
 def _sum(a: TaskTimes, b: TaskTimes) -> TaskTimes:

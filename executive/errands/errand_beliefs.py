@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.errands.away_from_start import is_away
-from executive.errands.nearness import Nearness, is_near
-from executive.errands.other_furniture import named_other, settled
+from executive.errands.nearness import Nearness, is_away, is_near
+from executive.errands.other_furniture import named_other, with_other_furniture_named
 from executive.errands.unsaid_steps import Known
 from executive.meaning import Command
 from executive.references import references
@@ -18,12 +17,12 @@ from trees.beliefs.scene.held_object import HeldObject
 from trees.readings.around import base_pose, what_is_around
 from trees.readings.held import held_object
 from trees.readings.odometry import body_pose
-from trees.tasks import ObjectOf, PickTask, PlaceTask
+from trees.tasks import Bringing, ObjectDescription, ObjectOf, PlaceTask
 from trees.toolbox import Toolbox
 
 
 class ErrandBeliefs:
-    """Reads a toolbox's world model each time it is asked."""
+    """What an errand believes of the world, read from the toolbox's world model each time it is asked."""
 
     def __init__(self, toolbox: Toolbox) -> None:
         self._toolbox = toolbox
@@ -48,10 +47,10 @@ class ErrandBeliefs:
             isinstance(inside_of_drawer(toolbox.world.scene), DrawerInside),
         )
 
-    def settled(self, command: Command) -> Command:
+    def with_other_furniture_named(self, command: Command) -> Command:
         """A command whose "other" furniture is named, if it is known by now which one that is."""
         leaves = self._stood_on(command) if isinstance(command, PlaceTask) else None
-        return settled(command, self.around(), leaves)
+        return with_other_furniture_named(command, self.around(), leaves)
 
     def around(self) -> Surroundings:
         """What is believed to be around the robot."""
@@ -70,8 +69,8 @@ class ErrandBeliefs:
         origins = self._toolbox.world.taken_from
         return origins[held.name].support if isinstance(held, HeldObject) and held.name in origins else None
 
-    def _in_view(self, pick: PickTask) -> bool:
-        """Whether the object of a pick is believed to be where it is said to be."""
-        if isinstance(pick.object, ObjectOf) or isinstance(pick.source, ObjectOf):
+    def _in_view(self, pick: Bringing) -> bool:
+        """Whether what is to be taken is believed to be where it is said to be."""
+        if not isinstance(pick.object, ObjectDescription) or isinstance(pick.source, ObjectOf):
             return False
         return isinstance(ground(pick.object, self.around(), pick.source, pick.count), Found)

@@ -6,11 +6,16 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from executive.errands.beyond_the_eyes import cannot_be_told, what_can_be_found
+from executive.errands.required import handles
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
+from trees.readiness import lacking
+from trees.registry import skill_of
+from trees.skill import Need
 from trees.tasks import Bringing, ObjectDescription, PlaceTask
+from trees.toolbox import Toolbox
 
 
 def missing_room(commands: Sequence[Command], rooms: Collection[str]) -> tuple[Command, str] | None:
@@ -48,6 +53,29 @@ class Impossible:
     word: str
 
 
+def beyond(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | None:
+    """The first command that cannot be done here, or for which the robot lacks something; None without one.
+
+    Args:
+        commands: What was said.
+        toolbox: Knows the robot, and the rooms on the map.
+    """
+    found = impossible(commands, toolbox.places, toolbox.detector.labels)
+    return _lacks_for(commands, toolbox) if found is None else found
+
+
+def _lacks_for(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | None:
+    """The first command for which the robot lacks something."""
+    for command in commands:
+        skill = skill_of(command)
+        lacks = None if skill is None else lacking(skill, toolbox)
+        if lacks is not None:
+            name = toolbox.model.description.name
+            told = f"{name} cannot walk here" if lacks is Need.LEGS else f"{name} has no {lacks.value} here"
+            return Impossible(command, told, command.action)
+    return None
+
+
 def impossible(
     commands: Sequence[Command], rooms: Collection[str], labels: Collection[str] | None = None
 ) -> Impossible | None:
@@ -64,7 +92,7 @@ def impossible(
         known = f"it has {listed([f'the {name}' for name in sorted(rooms)])}" if rooms else "it has no rooms"
         return Impossible(command, f"there is no {room} on the map; {known}", room)
     for command in commands:
-        if isinstance(command, Bringing) and any(map(_is_floor, _places(command))):
+        if handles(command) and any(map(_is_floor, _places(command))):
             return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
         if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
             return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")

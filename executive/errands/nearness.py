@@ -1,16 +1,22 @@
-"""Is a walk needless? What a hand gets to from here, or furniture that the robot stands before already."""
+"""Is a walk needless? What a hand gets to from here, or furniture that the robot stands before already.
+
+What the robot was set before, a table for example, is at hand without a walk until it has turned or gone away
+from where it began.
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
+from kinematics.geometry.planar import PlanarPose, wrapped
 from kinematics.geometry.poses import Transform
 from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.beliefs.scene.gap_to_furniture import gap_to_furniture_m
-from trees.tasks import ObjectDescription
+from trees.tasks import MoveTask, ObjectDescription
 
 _AHEAD_M = (0.3, 0.65)
 _ASIDE_M = 0.45
@@ -22,16 +28,16 @@ _BEFORE_M = 0.45
 
 @dataclass(frozen=True, slots=True)
 class Nearness:
-    """What has to be known for a walk to be needless.
+    """What has to be within reach, or stood before already, for a walk to be needless.
 
     Attributes:
         thing: What is walked to, or what is to be picked up from there.
-        at_hand: Whether it has to be within reach, of furniture whether the robot stands before it; else it
-            is enough that it was seen.
+        within_reach: Whether a thing has to be within reach, and the robot has to stand before furniture;
+            otherwise it is enough that it was seen.
     """
 
     thing: ObjectDescription
-    at_hand: bool = True
+    within_reach: bool = True
 
 
 def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T_base: Transform) -> bool:
@@ -47,9 +53,9 @@ def is_near(wanted: Nearness, around: Surroundings, scene: PlanningScene, odom_T
     if isinstance(found, Found):
         one = next(thing for thing in around.things if thing.name == found.names[0])
         before = not one.movable and _is_before(one, scene, odom_T_base)
-        return not wanted.at_hand or before or _is_within_reach(one)
+        return not wanted.within_reach or before or _is_within_reach(one)
     name, words = wanted.thing.name, called_so(wanted.thing.kind or "", around.furniture_words)
-    return wanted.at_hand and any(
+    return wanted.within_reach and any(
         (thing.name == name or (name is None and thing.kind in words))
         and _is_before(thing, scene, odom_T_base)
         for thing in around.things
@@ -65,3 +71,24 @@ def _is_within_reach(thing: BelievedThing) -> bool:
 def _is_before(furniture: BelievedThing, scene: PlanningScene, odom_T_base: Transform) -> bool:
     is_ahead = furniture.place_m[0] >= 0.0
     return bool(is_ahead and gap_to_furniture_m(scene.objects[furniture.name], odom_T_base) <= _BEFORE_M)
+
+
+_TURNED_RAD = 0.7
+"""Heads turn farther than this by themselves: what was ahead is in view still."""
+_GONE_M = 0.5
+"""Hands do not get to what was in the middle of their reach."""
+
+
+def is_away(body: PlanarPose) -> bool:
+    """Tell it from where the base is in the odometry frame, whose origin is where the robot began."""
+    return abs(wrapped(body.yaw_rad)) > _TURNED_RAD or math.hypot(body.x_m, body.y_m) > _GONE_M
+
+
+def leads_away(move: MoveTask) -> bool:
+    """Tell it of a velocity that is going to be driven; one without an end leads anywhere."""
+    seconds = math.inf if move.duration_s is None else move.duration_s
+    turn_rad = abs(move.angular_rad_s) * seconds if move.angular_rad_s else 0.0
+    far_m = abs(move.linear_m_s) * seconds if move.linear_m_s else 0.0
+    if move.distance_m is not None:
+        far_m = min(far_m, abs(move.distance_m))
+    return turn_rad > _TURNED_RAD or far_m > _GONE_M

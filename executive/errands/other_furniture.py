@@ -14,7 +14,7 @@ _LEADS_TO = ("on", "to")
 """Slots for where something goes; what is moved there is moved to other furniture than its own."""
 
 
-def settled(command: Command, around: Surroundings, leaves: str | None) -> Command:
+def with_other_furniture_named(command: Command, around: Surroundings, leaves: str | None) -> Command:
     """A command whose "other" furniture is named, if it is known by now which one that is.
 
     Who has walked there stands before it, and "the other one" would be the one that was left.

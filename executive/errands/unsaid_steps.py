@@ -11,23 +11,21 @@ is taken to a room and then put somewhere is only carried to the room.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from executive.errands.away_from_start import leads_away
-from executive.errands.nearness import Nearness
+from executive.errands.nearness import Nearness, leads_away
+from executive.errands.required import goes_away, handles, requires, takes, whom
 from executive.meaning import Command
 from robots.scenes.articulated import DRAWER
 from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.openings.fridge_inside import is_behind_door
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY
+from trees.skill import Before
 from trees.tasks import (
     WHERE_IT_WAS,
     Bringing,
-    CloseTask,
-    CountTask,
-    DescribeTask,
     Destination,
     FindTask,
     HandOverTask,
@@ -49,7 +47,7 @@ _SEE_WHO = {SPEAKER: "see who speaks", IN_FRONT: "see who is in front"}
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """One task of an errand.
+    """One task of an errand: a command that was said, or a step that nobody said but that one needs.
 
     Attributes:
         command: What to do.
@@ -82,7 +80,7 @@ class Known:
     """What the robot believes when an errand begins.
 
     Attributes:
-        in_view: Tells of a pick whether its object was seen inside already: then nothing has to be opened.
+        in_view: Tells of what is to be taken whether it was seen inside already: then nothing is opened.
         in_hand: Tells of what is to be put somewhere whether a hand holds it already.
         is_open: Whether the door that is known stands open.
         is_near: Tells whether a walk is needless.
@@ -92,7 +90,7 @@ class Known:
         is_away: Whether the robot has left the place where it began: nor is all at hand then.
     """
 
-    in_view: Callable[[PickTask], bool] = lambda _pick: False
+    in_view: Callable[[Bringing], bool] = lambda _task: False
     in_hand: Callable[[Bringing], bool] = lambda _task: False
     is_open: bool = False
     is_near: Callable[[Nearness], bool] = lambda _nearness: False
@@ -135,8 +133,8 @@ def _finding(word: str, steps: Sequence[Prepared]) -> Prepared | None:
 
     Who was told to go somewhere first means who is in front of it there.
     """
-    to_them = [step.command for step in steps if step.said is not None and _who(step.command) == word]
-    before = list(itertools.takewhile(lambda step: _who(step.command) != word, steps))
+    to_them = [step.command for step in steps if step.said is not None and whom(step.command) == word]
+    before = list(itertools.takewhile(lambda step: whom(step.command) != word, steps))
     if not to_them or not any(map(_goes_away, before)):
         return None
     if word == IN_FRONT and any(step.said is not None and _goes_away(step) for step in before):
@@ -149,9 +147,7 @@ def _finding(word: str, steps: Sequence[Prepared]) -> Prepared | None:
 def _goes_away(step: Prepared) -> bool:
     """Whether the robot is elsewhere after a step, where "me" would be somebody else."""
     command = step.command
-    if isinstance(command, MoveTask):
-        return leads_away(command)
-    return isinstance(command, WalkToTask | OpenTask | CloseTask)
+    return leads_away(command) if isinstance(command, MoveTask) else goes_away(command)
 
 
 def looked_for(
@@ -163,14 +159,6 @@ def looked_for(
     begins = done[-1] + 1 if done else 0
     finding = [step for step in steps if step.finds_who and step.finds_who not in who_is_known]
     return (*finding, *(step for step in steps[begins:] if not step.finds_who))
-
-
-def with_names(command: Command, who: Mapping[str, str]) -> Command:
-    """The same command with the names of those who were found by a word: "me"."""
-    word = _who(command)
-    if word is not None and word in who and isinstance(command, HandOverTask | WalkToTask):
-        return replace(command, to=who[word])
-    return command
 
 
 def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
@@ -190,7 +178,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         before: list[Prepared] = []
         thing = _to_be_picked(command, commands)
         held = isinstance(command, PutInTask) and known.in_hand(command)
-        if isinstance(command, PickTask) and inside is not None:
+        if inside is not None and handles(command):
             if inside not in opened and not known.in_view(command):
                 before += _opening(inside)
             opened.add(inside)
@@ -212,7 +200,7 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
         if roams and inside is None and _behind_of(command, commands) is None:
             before += _fetching(index, commands, known)
         elif away and thing is not None and not held:
-            said_where = inside or (command.source if isinstance(command, Bringing) else None)
+            said_where = inside or (command.source if handles(command) else None)
             reach = WalkToTask(f"come within reach of the {thing}", _at_its_source(thing, said_where))
             before.append(Prepared(reach, unless_held=command if isinstance(command, PutInTask) else None))
         seen_from = seen_from_where(command) if roams and not walked else None
@@ -253,7 +241,7 @@ def _carried_to(index: int, commands: Sequence[Command], known: Known) -> Prepar
 def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
     """What brings an object into a hand that may be anywhere in some rooms; nothing for several at once."""
     command = commands[index]
-    if not isinstance(command, Bringing) or command.count != 1 or known.in_hand(command):
+    if not handles(command) or command.count != 1 or known.in_hand(command):
         return
     thing, source = command.object, command.source
     if not isinstance(thing, ObjectDescription):
@@ -264,11 +252,11 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
         there = _at_its_source(thing, source)
         if isinstance(source, str | ObjectDescription):
             yield Prepared(
-                WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, at_hand=False)
+                WalkToTask(f"walk to the {source}", source), unless_near=Nearness(there, within_reach=False)
             )
         reach = WalkToTask(f"come within reach of the {there}", there)
-        yield Prepared(reach, unless_near=Nearness(there, at_hand=True), finds_for=index)
-    if not isinstance(command, PickTask):
+        yield Prepared(reach, unless_near=Nearness(there, within_reach=True), finds_for=index)
+    if requires(command, Before.THING_HELD):
         pick = PickTask(f"pick up the {thing}", thing, source, command.hand)
         yield Prepared(pick, finds_for=index)
 
@@ -338,21 +326,21 @@ def _to_be_picked(command: Command, commands: Sequence[Command]) -> ObjectDescri
     """The object that a command is going to pick up, or that was put down for it."""
     if isinstance(command, PutInTask) and _behind(command, commands) is None:
         return None
-    thing = command.object if isinstance(command, PickTask | PutInTask) else None
+    thing = command.object if takes(command) or isinstance(command, PutInTask) else None
     return thing if isinstance(thing, ObjectDescription) else None
 
 
 def _inside(command: Command) -> str | None:
     """What has a door and holds the object of a pick, as one word."""
-    source = command.source if isinstance(command, PickTask) else None
+    source = command.source if handles(command) and requires(command, Before.SOURCE_OPEN) else None
     word = source.kind if isinstance(source, ObjectDescription) else source
     return word if isinstance(word, str) and word in MEANT_BY else None
 
 
 def _there(command: Command, commands: Sequence[Command], known: Known) -> Destination | None:
     """Where what is held is to go; what puts things behind a door, or into a drawer, goes there by itself."""
-    if isinstance(command, HandOverTask):
-        return command.to
+    if not requires(command, Before.AT_GOAL):
+        return None
     if isinstance(command, PlaceTask) and command.to == WHERE_IT_WAS:
         before = known.stood_on(command)
         return None if before is None else ObjectDescription(name=before)
@@ -360,9 +348,10 @@ def _there(command: Command, commands: Sequence[Command], known: Known) -> Desti
         to = command.on or command.to
         beside = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None
         return to if beside is None else beside.to
-    if not isinstance(command, PutInTask) or _behind(command, commands) is not None:
+    if _behind_of(command, commands) is not None:
         return None
-    return BODY_OF[DRAWER] if _is_drawer(command.to) else command.to
+    there: Destination | None = getattr(command, "to", None) or getattr(command, "person", None)
+    return BODY_OF[DRAWER] if requires(command, Before.GOAL_OPEN) and _is_drawer(there) else there
 
 
 def _is_drawer(there: Destination | None) -> bool:
@@ -371,15 +360,10 @@ def _is_drawer(there: Destination | None) -> bool:
 
 def seen_from_where(command: Command) -> str | ObjectDescription | None:
     """From where one sees what a command asks about; what is behind a door nobody sees."""
-    source = command.source if isinstance(command, CountTask | DescribeTask | FindTask) else None
+    source = getattr(command, "source", None) if requires(command, Before.SOURCE_IN_VIEW) else None
     if isinstance(source, ObjectDescription):
         return source if _is_furniture(source) and source.kind not in MEANT_BY else None
     return source if isinstance(source, str) and source not in MEANT_BY else None
-
-
-def _who(command: Command) -> str | None:
-    to = getattr(command, "to", None)
-    return to if isinstance(to, str) else None
 
 
 def _is_person(there: Destination) -> bool:

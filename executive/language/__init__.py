@@ -1,0 +1,1 @@
+"""From a sentence to commands: words, grammar, chart, meanings."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, fields
 
 from robots.live.wire.messages import GetStatus, write_message
 
@@ -85,26 +85,10 @@ _MESSAGES: Mapping[str, type] = {
 }
 
 
+_NAMES = {kind: name for name, kind in _MESSAGES.items()}
+
+
 def write_desk_message(message: DeskMessage) -> bytes:
     """The payload of a message to the executive."""
-    match message:
-        case Say():
-            return write_message(
-                "say",
-                text=message.text,
-                timeout_s=message.timeout_s,
-                linear_m_s=message.linear_m_s,
-                angular_rad_s=message.angular_rad_s,
-            )
-        case ScriptLine():
-            return write_message("statement", **asdict(message))
-        case Cancel(reason):
-            return write_message("cancel", reason=reason)
-        case Answer(text):
-            return write_message("answer", text=text)
-        case PauseTask(reason):
-            return write_message("pause", reason=reason)
-        case ResumeTask():
-            return write_message("resume")
-        case GetStatus():
-            return write_message("status")
+    values = {field.name: getattr(message, field.name) for field in fields(message)}
+    return write_message(_NAMES[type(message)], **values)

@@ -1,4 +1,7 @@
-"""What ``executive check`` found: lines for people, and the document of docs/check-report.schema.json."""
+"""What ``executive check`` found: lines for people, and a document.
+
+The document is that of ``docs/reference/check-report.schema.json``.
+"""
 
 from __future__ import annotations
 
@@ -97,7 +100,7 @@ class MotionVerdict:
 
 @dataclass(frozen=True, slots=True)
 class CheckReport:
-    """The whole answer.
+    """Everything that ``executive check`` tells of a sentence or a stored trajectory.
 
     Attributes:
         input: The file or the sentence.

@@ -44,10 +44,8 @@ ADVICE: Mapping[FailureKind, str] = MappingProxyType(
 )
 """What a person can do after each kind."""
 
-_HIDDEN = frozenset(
-    {"choices", "objects", "slot", "unseen", "none_left", "attempts", "survey", "exception", "raised_at"}
-)
-_IN_THE_MESSAGE = frozenset({"step", "finding", "findings", "subject", "value", "limit", "t_s"})
+_HIDDEN = frozenset({"choices", "attempts", "exception", "raised_at"})
+_IN_THE_MESSAGE = frozenset({"step", "findings", "subject", "value", "limit", "t_s"})
 """What the message of an unsafe trajectory says already."""
 
 
@@ -98,8 +96,8 @@ def in_a_sentence(failure: Failure) -> str:
 
 def _plainly(failure: Failure) -> str | None:
     """What cannot be understood without knowing the program, in other words."""
-    if failure.kind is FailureKind.UNSAFE:
-        return plain_finding(failure.numbers)
+    if failure.finding is not None:
+        return plain_finding(failure.finding)
     if failure.kind is FailureKind.ERROR:
         return "the program itself has a defect; the sentence and the scene are not to blame"
     return None

@@ -31,6 +31,8 @@ from robots.control.events import (
 )
 from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Offered, Said
 from trees.failures import Failure, Number
+from trees.registry import skill_called
+from trees.skill import as_asked
 
 _UNITS = (
     ("_rad_s", "rad/s"),
@@ -43,9 +45,6 @@ _UNITS = (
     ("_kg", "kg"),
     ("_n", "N"),
 )
-
-_ASKED = ("find", "count", "describe")
-"""Actions that are questions: their result is what was answered."""
 
 
 def line_for(event: Event) -> str | None:
@@ -105,9 +104,7 @@ def line_for(event: Event) -> str | None:
 
 def sentence(failure: Failure) -> str:
     """One link of a failure chain as a sentence with its numbers and place."""
-    numbers = ", ".join(
-        f"{quantity(key, value)}" for key, value in failure.numbers.items() if key != "objects"
-    )
+    numbers = ", ".join(quantity(key, value) for key, value in failure.numbers.items())
     place = f" [{failure.kind.value}{' at ' + failure.where if failure.where else ''}]"
     return failure.message + (f" ({numbers})" if numbers else "") + place
 
@@ -177,21 +174,8 @@ def _either(choices: Sequence[str]) -> str:
 
 
 def _claim(result: TaskResult) -> str:
-    evidence = result.evidence
-    if result.action in _ASKED and "said" in evidence:
-        return str(evidence["said"])
-    if result.action != "pick":
-        return {"go_home": "at the home posture", "stop": "nothing was under way; holding"}.get(
-            result.action, result.text
-        )
-    hand = f" in the {evidence['hand']} hand" if "hand" in evidence else ""
-    parts = [f"{result.subject or 'object'} held{hand}"]
-    for key, text in (
-        ("gripper_opening_m", "opening {:.0f} mm"),
-        ("effort_nm", "effort {:.1f} Nm"),
-        ("lift_m", "lifted {:.2f} m"),
-    ):
-        value = evidence.get(key)
-        if isinstance(value, (int, float)):
-            parts.append(text.format(value * 1000.0 if text.endswith("mm") else value))
-    return ", ".join(parts)
+    if result.action == "stop":
+        return "nothing was under way; holding"
+    skill = skill_called(result.action)
+    claim = as_asked if skill is None else skill.claim
+    return claim(result.text, result.subject, result.evidence)

@@ -6,15 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from trees.beliefs.scene.scene_update import kind_of
+from trees.registry import skill_called
 from trees.tasks import WHERE_IT_WAS
-
-_SAID = {
-    "hand_over": ("give", "to"),
-    "put_in": ("put", "in"),
-    "say": ("say", "to"),
-    "wave": ("wave", "to"),
-}
-"""Actions whose name alone is no sentence: the verb, and the word before what is aimed at."""
 
 _DESCRIPTION = ("ordinal", "size", "color", "material")
 _NO_ARTICLE = ("me", "you", "in_front", "start")
@@ -29,7 +22,9 @@ _MEASURES = (
 def meaning_words(meaning: Mapping[str, Any]) -> str:
     """The plainest words for a command's slots, which are those of ``meaning.command_json``."""
     action = str(meaning.get("action", ""))
-    verb, toward = _SAID.get(action, (action.replace("_", " "), ""))
+    skill = skill_called(action)
+    verb = action.replace("_", " ") if skill is None else skill.words
+    toward = "" if skill is None else skill.toward
     words = [verb]
     if "object" in meaning:
         words.append(_called(meaning["object"], "every" if action == "count" else "the"))

@@ -1,4 +1,4 @@
-"""The report of a run: one JSON document, its schema in ``docs/report.schema.json``."""
+"""The report of a run: one JSON document, its schema in ``docs/reference/report.schema.json``."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from executive.meaning import shortened
-from executive.session.events import plain
+from executive.session.events import Event, plain
 from executive.session.task_result import TaskResult
+from robots.control.events import SetpointRefused, StopStarted
 
 if TYPE_CHECKING:
     from executive.understanding.understanding import SkippedStep
+
 
 SCHEMA = 1
 
@@ -72,3 +74,27 @@ class Report:
             for step in self.left_out
         ]
         return {"left_out": steps} if steps else {}
+
+
+@dataclass(slots=True)
+class SafetyTally:
+    """Counts what was refused and stopped, event by event, for a report.
+
+    Attributes:
+        refused: Setpoints that the gate or the online checker refused.
+        stops: Why a stop profile took over, each time.
+    """
+
+    refused: int = 0
+    stops: tuple[str, ...] = ()
+
+    def add(self, event: Event) -> None:
+        """Take one more event in."""
+        if isinstance(event, SetpointRefused):
+            self.refused += 1
+        elif isinstance(event, StopStarted):
+            self.stops = (*self.stops, event.reason)
+
+    def counts(self, checked: int) -> SafetyCounts:
+        """For the report, beside so many trajectories that the checker let pass."""
+        return SafetyCounts(checked, self.refused, self.stops)

@@ -15,7 +15,7 @@ _WALKED_POINTS = 8
 
 
 class Pictures:
-    """Makes what was asked for. A film that breaks off does not disturb the robot.
+    """Makes the picture and the film that a run was asked for; a film that breaks off leaves the robot alone.
 
     Args:
         snapshot: Where to write a picture of the end, or None.

@@ -21,7 +21,7 @@ class Wall(Protocol):
 
 
 class RealPace:
-    """Called after each control period; waits once a tick for what is left of it.
+    """Lets simulated time pass no faster than time does: waits once a tick for what is left of the tick.
 
     A machine that is too slow is not waited for: nothing that was lost is made up for later.
     """

@@ -31,7 +31,7 @@ _ELSEWHERE = "choose a folder that you may write with --record"
 
 
 class RunLog:
-    """Writes one run; the digest is kept even when nothing more can be written.
+    """Writes the record of one run; the digest goes on even when nothing more can be written.
 
     Attributes:
         digest: Of the events so far.

@@ -122,7 +122,7 @@ class PlainDisplay:
 
 
 class LiveDisplay:
-    """The screen drawn in place.
+    """Shows a run as a screen that is drawn again in place.
 
     Attributes:
         state: What is shown now.

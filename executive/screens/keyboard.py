@@ -15,7 +15,7 @@ from executive.screens.terminal_attendant import LOOK_EVERY_S, never
 
 
 class Keyboard:
-    """Puts a terminal into single-key mode while it is entered; Ctrl-C still is a signal.
+    """A terminal's keys, one by one, while it is entered as a context; Ctrl-C is still a signal.
 
     From a terminal that has gone nothing comes any more.
 

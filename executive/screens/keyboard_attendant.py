@@ -42,7 +42,7 @@ class Screen(Protocol):
 
 
 class KeyboardAttendant:
-    """Listens to keys between two ticks.
+    """An attendant at the keyboard: listens to keys between two ticks.
 
     Args:
         keys: The keyboard.

@@ -34,7 +34,7 @@ _TREE_STYLES: dict[str, Style] = {"idle": "dim", "running": "running", "success"
 
 @dataclass(frozen=True, slots=True)
 class ScreenState:
-    """Everything that is shown.
+    """Everything that the live screen shows at one moment.
 
     Attributes:
         place: Robot, scene and seed, in a few words.

@@ -23,7 +23,7 @@ def never() -> bool:
 
 
 class TerminalAttendant:
-    """Shows a question, and waits for a line.
+    """An attendant at a terminal without single keys: shows a question, and waits for a line.
 
     Args:
         stdin: Where answers come from; at its end nobody answers any more.

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from executive.dialogue.attendant import Attendant
-from executive.errands.errand import Errand, drive
+from executive.dialogue.settle_words import goes_on
+from executive.errands.errand import Errand
 from executive.exit_codes import ExitCode
 from executive.reports.feedback import result_line, result_line_of_all
 from executive.scripts.script_order import first_unexpected, in_order, unexpected_code
+from executive.session.driver import driven
 from executive.session.events import EventSink, QuestionAsked, TaskRefused
 from executive.session.session import Session
 from executive.session.task_result import TaskResult
@@ -26,7 +28,38 @@ def may_start(statement: Statement) -> bool:
     return outcome == "tasks" or outcome == statement.expect
 
 
-def unstarted(statements: Sequence[Statement], sink: EventSink, now_s: float = 0.0) -> list[Said]:
+def settle_all(
+    statements: Iterable[Statement],
+    settle: Callable[[Statement], Statement | Failure],
+    sink: EventSink,
+    now_s: Callable[[], float] = lambda: 0.0,
+    interruption: Callable[[], Failure | None] = goes_on,
+) -> tuple[list[Statement], list[Said]]:
+    """Settle what is unclear in the words of every statement, before the first one is carried out.
+
+    Args:
+        statements: What was said; may be understood one by one, as they are taken.
+        settle: Settles the words of one; a failure ends it all.
+        sink: Told of what is refused.
+        now_s: Simulated time; left out where none has passed.
+        interruption: Asked after each statement what ends it all: a cancel, a stop, or None.
+
+    Returns:
+        The statements that may be carried out, and nothing; or none, and what it all comes to instead.
+    """
+    ready: list[Statement] = []
+    for said in statements:
+        one = settle(said)
+        if not isinstance(one, Failure):
+            ready.append(one)
+        ended = one if isinstance(one, Failure) else interruption()
+        if ended is not None:
+            return [], [(said, [not_begun(said, ended)])]
+    spoiled = _unstarted(ready, sink, now_s())
+    return ([], spoiled) if spoiled else (ready, [])
+
+
+def _unstarted(statements: Sequence[Statement], sink: EventSink, now_s: float) -> list[Said]:
     """What a script comes to that does not begin: one is not as expected, or there is nothing to do.
 
     Returns:
@@ -57,7 +90,7 @@ def run_statements(
             on_question="fail" if statement.expect == "question" else on_question,
             provenance=statement.provenance,
         )
-        return drive(errand.steps(), attendant, session)
+        return driven(errand.steps(), attendant.answer, lambda: attendant.attend(session))
 
     with session.request():
         return in_order(statements, carry_out)

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-import difflib
-import math
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any
 
 from executive.errors import ScriptError
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding.conversation import Conversation
-from executive.understanding.statement import Expectation, OnFailure, Statement
+from executive.understanding.statement import Statement
 from executive.understanding.understanding import understand
 from robots.toml_text import TomlTextError, read_toml
+
+if TYPE_CHECKING:  # one sentence needs no script's layout
+    from executive.scripts.script_document import TaskTable
 
 MAX_BYTES = 1_000_000
 MOST_TASKS = 1000
 """All are understood before the first one begins."""
-_TOP_KEYS = ("scene", "robot", "seed", "task")
-_TASK_KEYS = ("say", "on_failure", "timeout_s", "expect")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,28 +59,20 @@ def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
     Raises:
         ScriptError: File, key and reason.
     """
+    from executive.scripts.script_document import ScriptDocument
+    from robots.strict_table import read_table
+
     source = str(path)
-    data = _read(path)
-    _known_keys(source, "", data, _TOP_KEYS)
-    for key in ("scene", "robot"):
-        if key in data and not isinstance(data[key], str):
-            raise ScriptError(source, key, "must be a string")
-    seed = data.get("seed")
-    if seed is not None and (not isinstance(seed, int) or isinstance(seed, bool) or seed < 0):
-        raise ScriptError(source, "seed", "must be a whole number, 0 or more")
-    tasks = data.get("task")
-    if not isinstance(tasks, list) or not tasks or not all(isinstance(item, dict) for item in tasks):
-        raise ScriptError(source, "task", "must be a list of [[task]] tables")
+    document = read_table(ScriptDocument, _read(path), partial(ScriptError, source))
+    tasks = document.task
     if len(tasks) > MOST_TASKS:
         raise ScriptError(source, "task", f"has {len(tasks)} tasks; a script holds at most {MOST_TASKS}")
     before = Conversation()
-    statements = tuple(
-        _statement(source, f"task[{index}]", item, trust, before) for index, item in enumerate(tasks)
-    )
-    scene = data.get("scene")
+    statements = tuple(_statement(task, trust, before) for task in tasks)
+    scene = document.scene
     if scene is not None and scene.endswith(".toml") and not Path(scene).is_absolute():
         scene = str(path.parent / scene)
-    return TaskScript(statements, scene, data.get("robot"), seed)
+    return TaskScript(statements, scene, document.robot, document.seed)
 
 
 def _read(path: Path) -> dict[str, Any]:
@@ -97,36 +88,7 @@ def _read(path: Path) -> dict[str, Any]:
         raise ScriptError(str(path), "", f"is not TOML: {failed}") from failed
 
 
-def _statement(
-    source: str, place: str, item: Mapping[str, Any], trust: Trust, before: Conversation
-) -> Statement:
-    _known_keys(source, place, item, _TASK_KEYS)
-    say = item.get("say")
-    if not isinstance(say, str):
-        raise ScriptError(source, f"{place}.say", "must be a sentence in quotes")
-    on_failure = _choice(source, f"{place}.on_failure", item.get("on_failure", "stop"), get_args(OnFailure))
-    expect = _choice(source, f"{place}.expect", item.get("expect", "done"), get_args(Expectation))
-    timeout_s = item.get("timeout_s")
-    if timeout_s is not None:
-        is_number = isinstance(timeout_s, (int, float)) and not isinstance(timeout_s, bool)
-        if not is_number or not math.isfinite(timeout_s) or timeout_s <= 0.0:
-            raise ScriptError(source, f"{place}.timeout_s", "must be a number of seconds above 0")
-    understood = understand(say, trust) if expect == "question" else before.understand(say, trust)
-    return Statement(understood.parsed, on_failure, expect, timeout_s).meaning(understood)
-
-
-def _known_keys(source: str, place: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
-    for key in table:
-        if key not in known:
-            nearest = difflib.get_close_matches(key, known, n=1, cutoff=0.0)[0]
-            raise ScriptError(
-                source, f"{place}.{key}".lstrip("."), f"unknown key; the nearest is {nearest!r}"
-            )
-
-
-def _choice(source: str, key: str, value: object, choices: tuple[Any, ...]) -> Any:
-    if value not in choices:
-        close = difflib.get_close_matches(str(value), choices, n=1)
-        hint = f"; did you mean {close[0]!r}?" if close else ""
-        raise ScriptError(source, key, f"{value!r} is not one of {', '.join(choices)}{hint}")
-    return value
+def _statement(task: TaskTable, trust: Trust, before: Conversation) -> Statement:
+    question = task.expect == "question"
+    understood = understand(task.say, trust) if question else before.understand(task.say, trust)
+    return Statement(understood.parsed, task.on_failure, task.expect, task.timeout_s).meaning(understood)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from executive.session.event_hub import EventHub
-from executive.session.events import Event, EventSink
+from executive.session.controlled_robot import ControlledRobot, session_on
+from executive.session.events import EventHub, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
 from executive.understanding.canonical_detector import CanonicalDetector
 from executive.understanding.canonical_words import canonical_kind
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
@@ -19,7 +20,8 @@ from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
-from robots.models.description import load_description_for_tasks
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot_for_tasks
 from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
 from robots.scenes.planned_fault import PlannedFault
@@ -28,10 +30,7 @@ from robots.seeded import seeded
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
-from trees.events import Offered
 from trees.policy import TreePolicy
-from trees.toolbox import Toolbox
-from trees.world_model import WorldModel
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,51 +95,43 @@ def assemble(
     """
     sink = EventHub(sink)
     chance = seeded(seed)
-    description = load_description_for_tasks(robot)
+    data = load_robot_for_tasks(robot)
+    description = data.description
     if posture:
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
-    world = build_world(description, scene, chance.world)
+    world = build_world(RobotData(description, data.hardware), scene, chance.world)
 
-    def watched(event: Event) -> None:
-        if isinstance(event, Offered):
-            world.people.see_offer(event.to)
-
-    sink.listen(watched)
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
 
-    planning = PlanningJobs(MotionPlanner(model), clock, sink, on_judged=on_judged)
-    toolbox = Toolbox(
-        clock=clock,
+    planning = PlanningJobs(MotionPlanner(model), TrajectoryChecker(model), clock, sink, on_judged=on_judged)
+    robot_here = ControlledRobot(
         model=model,
+        clock=clock,
+        periods=loop,
+        guard=loop,
+        pausing=loop,
         motion=loop.motion,
-        sensing=loop.sensing,
         grippers=loop.grippers,
-        detector=CanonicalDetector(perception, canonical_kind),
-        planning=planning,
-        world=WorldModel(),
-        events=sink,
-        rng=chance.trees,
-        policy=policy or TreePolicy(),
         walking=loop.walking,
-        ranging=world.ranging,
         yielding=loop.yielding,
-        places=place_map(scene, chance.places),
+        detector=CanonicalDetector(perception, canonical_kind),
+        ranging=world.ranging,
+        planning=planning,
+        see_offer=world.people.see_offer,
     )
-    supervisor = Supervisor(loop, clock, sink)
-    session = Session(
-        toolbox,
-        loop,
-        planning,
+    session, supervisor = session_on(
+        robot_here,
         sink,
+        chance,
+        place_map(scene, chance.places),
+        policy=policy,
+        build=build,
         tick_sensors=perception.tick,
         on_period=on_period,
         on_tick=on_tick,
-        build=build,
-        supervisor=supervisor,
-        pausing=loop,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
 

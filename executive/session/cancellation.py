@@ -11,7 +11,7 @@ from trees.failures import Failure, FailureKind
 
 
 class Cancellation:
-    """Whether one request is to be halted, and why; what was asked for first counts, and stays."""
+    """Whether one request is to be halted, and why; the first reason that was given stays."""
 
     def __init__(self) -> None:
         self._reason: str | None = None

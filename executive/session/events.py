@@ -1,7 +1,7 @@
 """Everything that is told while commands are carried out: the layers' events and the session's own.
 
 All are frozen values. The digest is taken over their canonical JSON; none holds a wall-clock time, so
-that the same run gives the same digest.
+that the same run gives the same digest. The hub passes each event on to whoever listens at the time.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ import dataclasses
 import hashlib
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -81,7 +82,7 @@ class TaskEnded:
 
 @dataclass(frozen=True, slots=True)
 class PlanningAnswered:
-    """A planning job was answered; it counts from ``ready_s`` on."""
+    """A planning job was answered; in simulated time the answer may be used from ``ready_s`` on."""
 
     t_s: float
     ready_s: float
@@ -160,3 +161,30 @@ def plain(value: Any) -> Any:
     if hasattr(value, "tolist"):
         return plain(value.tolist())
     return str(value)
+
+
+class EventHub:
+    """Passes each event to its sink, and to whoever listens at the time."""
+
+    def __init__(self, sink: EventSink) -> None:
+        self._sink = sink
+        self._listeners: list[EventSink] = []
+
+    def __call__(self, event: Event) -> None:
+        """Take an event."""
+        self._sink(event)
+        for listener in self._listeners:
+            listener(event)
+
+    def listen(self, listener: EventSink) -> None:
+        """Have every event told to a listener as well, from now on."""
+        self._listeners.append(listener)
+
+    @contextmanager
+    def heard_by(self, listener: EventSink) -> Iterator[None]:
+        """Have every event told to a listener as well."""
+        self._listeners.append(listener)
+        try:
+            yield
+        finally:
+            self._listeners.remove(listener)

@@ -33,7 +33,7 @@ class Trigger(Enum):
 
 @dataclass(frozen=True, slots=True)
 class LifecycleChanged:
-    """The state changed."""
+    """The executive went from one state to another."""
 
     t_s: float
     before: str
@@ -78,7 +78,7 @@ COMMANDS: Mapping[LifecycleState, str] = MappingProxyType(
 
 
 class Lifecycle:
-    """The state, and the only way to change it.
+    """The executive's state machine: its present state, and the only way to change it.
 
     Attributes:
         state: The present one.

@@ -36,7 +36,7 @@ class Periods(Protocol):
 
 
 class Lockstep:
-    """Lets time pass.
+    """Lets simulated time pass in whole ticks, and has everything beside the loop called each period.
 
     Args:
         loop: Steps the robot.

@@ -6,14 +6,17 @@ same, whatever the machine's speed.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
 from executive.session.events import PlanningAnswered
+from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
-from kinematics.requests.any_request import PlanRequest
 from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
+from kinematics.scene.concessions import Concession
+from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import Clock, ProcessorClock, WallClock
 from trees.toolbox import Job
 
@@ -21,11 +24,25 @@ CHARGED_S = 0.1
 """Simulated time that a job is charged; above the planner's usual wall time."""
 
 
+Asked = TypeVar("Asked")
+Answer = TypeVar("Answer")
+
+
 class Planner(Protocol):
     """What answers requests: the motion planner, or a double."""
 
-    def answer(self, request: PlanRequest) -> object:
+    def answer(self, request: Request[Answer]) -> Answer:
         """Answer one request."""
+        ...
+
+
+class Checker(Protocol):
+    """What judges trajectories: the trajectory checker, or a double."""
+
+    def check(
+        self, trajectory: Trajectory, scene: PlanningScene, concessions: Sequence[Concession] = ()
+    ) -> CheckedTrajectory | Unsafe:
+        """Judge one motion in one scene."""
         ...
 
 
@@ -42,11 +59,11 @@ class InlineExecutor(Executor):
         return future
 
 
-class PlanningJob:
-    """A request under way; satisfies ``trees.toolbox.Job``."""
+class PlanningJob(Generic[Answer]):
+    """A request or a check under way; satisfies ``trees.toolbox.Job``."""
 
     def __init__(
-        self, future: Future[Any], clock: Clock, ready_s: float, tell: Callable[[Future[Any]], None]
+        self, future: Future[Answer], clock: Clock, ready_s: float, tell: Callable[[Future[Any]], None]
     ) -> None:
         """Take a request that was submitted.
 
@@ -73,11 +90,11 @@ class PlanningJob:
             self._tell(self._future)
         return True
 
-    def result(self) -> Any:
+    def result(self) -> Answer:
         """The answer.
 
         Raises:
-            Exception: Whatever the planner raised.
+            Exception: Whatever the planner or the checker raised.
         """
         return self._future.result()
 
@@ -87,7 +104,7 @@ class PlanningJob:
 
 
 class PlanningJobs:
-    """Submits requests to an executor; satisfies ``trees.toolbox.Planning``.
+    """Submits requests and checks to an executor; satisfies ``trees.toolbox.Planning``.
 
     ``on_judged`` hears of every trajectory that was judged, with the verdict: a recorder.
 
@@ -100,6 +117,7 @@ class PlanningJobs:
     def __init__(
         self,
         planner: Planner,
+        checker: Checker,
         clock: Clock,
         sink: Callable[[PlanningAnswered], None],
         executor: Executor | None = None,
@@ -108,7 +126,8 @@ class PlanningJobs:
             None
         ),
     ) -> None:
-        self._planner, self._clock, self._sink = planner, clock, sink
+        self._planner, self._checker = planner, checker
+        self._clock, self._sink = clock, sink
         self._executor = executor or InlineExecutor()
         self._charged_s = charged_s
         self._on_judged = on_judged
@@ -117,26 +136,36 @@ class PlanningJobs:
         self.cpu_s = 0.0
         self.checked = 0
 
-    def submit(self, request: PlanRequest) -> Job:
+    def submit(self, request: Request[Answer]) -> Job[Answer]:
         """Begin to answer a request; returns at once where the executor does."""
+        return self._begun(request, self._planner.answer)
+
+    def check(self, question: CheckRequest) -> Job[CheckedTrajectory | Unsafe]:
+        """Begin to judge a trajectory; returns at once where the executor does."""
+        return self._begun(question, self._verdict)
+
+    def _begun(self, asked: Asked, answer: Callable[[Asked], Answer]) -> Job[Answer]:
         ready_s = self._clock.now_s() + self._charged_s
-        asked = type(request).__name__
+        kind = type(asked).__name__
 
         def tell(answered: Future[Any]) -> None:
             raised = answered.exception()
-            answer = type(answered.result() if raised is None else raised).__name__
-            self._sink(PlanningAnswered(self._clock.now_s(), ready_s, asked, answer))
+            told = type(answered.result() if raised is None else raised).__name__
+            self._sink(PlanningAnswered(self._clock.now_s(), ready_s, kind, told))
 
-        return PlanningJob(self._executor.submit(self._answer, request), self._clock, ready_s, tell)
+        future: Future[Answer] = self._executor.submit(self._timed, asked, answer)
+        return PlanningJob(future, self._clock, ready_s, tell)
 
-    def _answer(self, request: PlanRequest) -> object:
+    def _timed(self, asked: Asked, answer: Callable[[Asked], Answer]) -> Answer:
         began_s, cpu_s = self._wall.now_s(), self._cpu.now_s()
         try:
-            answer = self._planner.answer(request)
+            return answer(asked)
         finally:
             self.wall_s += self._wall.now_s() - began_s
             self.cpu_s += self._cpu.now_s() - cpu_s
-        self.checked += isinstance(answer, CheckedTrajectory)
-        if isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory | Unsafe):
-            self._on_judged(request, answer)
-        return answer
+
+    def _verdict(self, question: CheckRequest) -> CheckedTrajectory | Unsafe:
+        verdict = self._checker.check(question.trajectory, question.scene, question.concessions)
+        self.checked += isinstance(verdict, CheckedTrajectory)
+        self._on_judged(question, verdict)
+        return verdict

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import Protocol
 
 from executive.meaning import Command, StopCommand, command_json
 from executive.session.cancellation import Cancellation
-from executive.session.event_hub import EventHub
-from executive.session.events import Event, EventSink, InputTaken, TaskAccepted, TaskEnded
+from executive.session.driver import driven
+from executive.session.events import Event, EventHub, EventSink, TaskAccepted, TaskEnded
 from executive.session.lockstep import Lockstep, Periods
+from executive.session.pause import Pausable, Pause
 from executive.session.supervisor import Supervisor
 from executive.session.task_result import Outcome, TaskResult, TaskTimes
 from robots.clock import Clock, WallClock
@@ -18,11 +19,9 @@ from trees.beliefs.scene.scene_update import kind_of
 from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.nodes.leaf import from_exception
-from trees.tasks import ObjectDescription, PickTask, Task, WaitTask
+from trees.registry import skill_of
+from trees.tasks import ObjectDescription, PickTask, Task
 from trees.toolbox import Toolbox
-
-if TYPE_CHECKING:
-    pass
 
 HALT_TICKS = 100
 """Ticks that the loop goes on after a cancel: more than the longest braking takes."""
@@ -33,34 +32,11 @@ TASK_TIMEOUT_S = 480.0
 
 TreeBuilder = Callable[[Task, Toolbox], TaskTree]
 
-R = TypeVar("R")
-
 
 def _usual_limit_s(command: Command) -> float:
     """Simulated time that a task may take when nobody says how long; a wait lasts as long as said."""
-    return TASK_TIMEOUT_S + (command.duration_s if isinstance(command, WaitTask) else 0.0)
-
-
-def ended(steps: Generator[object, None, R]) -> R:
-    """Let steps go on to their end, and return what they return."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            result: R = end.value
-            return result
-
-
-class Pausable(Protocol):
-    """What can hold the robot in the middle of what it does: the control loop, or a client of one."""
-
-    def pause(self, reason: str) -> None:
-        """Brake and hold; what is under way stays under way."""
-        ...
-
-    def resume(self) -> None:
-        """Go on with it."""
-        ...
+    skill = skill_of(command)
+    return TASK_TIMEOUT_S + (0.0 if skill is None else skill.lasts_s(command))
 
 
 class PlanningTimes(Protocol):
@@ -99,9 +75,6 @@ class Session:
         supervisor: Supervisor | None = None,
         pausing: Pausable | None = None,
     ) -> None:
-        self._pausing = pausing
-        self._pause_reason: str | None = None
-        self._paused = False
         self._supervisor = supervisor
         self._toolbox, self._planning = toolbox, planning
         self._sink = sink if isinstance(sink, EventHub) else EventHub(sink)
@@ -110,6 +83,7 @@ class Session:
         self._on_tick = on_tick
         self._build = build
         self._clock: Clock = toolbox.clock
+        self._pause = Pause(pausing, self._sink, self._clock.now_s)
         self._request: Cancellation | None = None
         self._wakers: list[Callable[[], None]] = []
 
@@ -151,7 +125,8 @@ class Session:
         try:
             yield self._request
         finally:
-            self._request = self._pause_reason = None
+            self._request = None
+            self._pause.withdraw()
 
     def cancel(self, reason: str) -> None:
         """Ask for the request under way to be halted; safe to call from a signal handler.
@@ -209,16 +184,16 @@ class Session:
         pause counts towards no deadline.
         """
         if self._request is not None:
-            self._pause_reason = reason
+            self._pause.ask(reason)
 
     def resume(self) -> None:
         """Ask for a paused task to go on; safe to call from a signal handler."""
-        self._pause_reason = None
+        self._pause.withdraw()
 
     @property
     def paused(self) -> bool:
         """Whether a task is held by a pause now."""
-        return self._paused
+        return self._pause.held
 
     def emergency_stop(self, reason: str, category: int = 1) -> None:
         """Engage the emergency stop before the next control period; safe to call from a signal handler.
@@ -251,16 +226,16 @@ class Session:
 
         Whatever happens, the robot is left standing, and holding still or at rest.
         """
-        return ended(self.task_steps(command, timeout_s))
+        return driven(self.task_steps(command, timeout_s))
 
     def task_steps(
         self, command: Command, timeout_s: float | None = None
-    ) -> Generator[None, None, TaskResult]:
-        """The same as ``run_task``, a tick at a time: whoever iterates may do other things in between."""
+    ) -> Generator[None, object, TaskResult]:
+        """The same as ``run_task``, a tick at a time, for a driver that does other things in between."""
         with self.request():
             return (yield from self._task_steps(command, timeout_s))
 
-    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, None, TaskResult]:
+    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, object, TaskResult]:
         wall = WallClock()
         self._lockstep.settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
@@ -298,7 +273,7 @@ class Session:
 
     def _run_guarded(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         """Run, and draw the conclusions: a defect anywhere below fails the task and leads to ERROR."""
         try:
             outcome, failure = yield from self._run(tree, deadline_s)
@@ -317,31 +292,16 @@ class Session:
 
     def _run(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         self._show(tree)
         try:
             return (yield from self._ticked(tree, deadline_s))
         finally:
-            if self._paused:  # one that was asked for in the last moment holds the next task
-                self._pause_reason = None
-                self._follow_pause()
-
-    def _follow_pause(self) -> bool:
-        """Begin or end a pause as asked for; tells whether there is one."""
-        reason = self._pause_reason
-        if (reason is not None) != self._paused:
-            self._paused = reason is not None
-            self._sink(InputTaken(self.now_s, "pause" if self._paused else "resume", reason or ""))
-            if self._pausing is not None:
-                if reason is not None:
-                    self._pausing.pause(reason)
-                else:
-                    self._pausing.resume()
-        return self._paused
+            self._pause.end()
 
     def _ticked(
         self, tree: TaskTree, deadline_s: float
-    ) -> Generator[None, None, tuple[Outcome, Failure | None]]:
+    ) -> Generator[None, object, tuple[Outcome, Failure | None]]:
         while True:
             yield
             if self._supervisor is not None and (stopped := self._supervisor.stopped()) is not None:
@@ -352,7 +312,7 @@ class Session:
                 return "failed", failure
             if (cancelled := self._cancelled()) is not None:
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, cancelled.message)
-            if self._follow_pause():
+            if self._pause.follow():
                 before_s = self.now_s
                 self._lockstep.tick()
                 self._toolbox.pauses.total_s += self.now_s - before_s

@@ -51,7 +51,7 @@ class Guarded(Protocol):
 
 
 class Supervisor:
-    """Stands between commands and the robot.
+    """Says whether commands may be carried out, and keeps the state machine true to the robot.
 
     Attributes:
         lifecycle: The state machine.

@@ -5,7 +5,8 @@
     [{"command": "go home", "confidence": 0.99}, {"action": "wait", "duration_s": 2.0, "confidence": 0.9}]
 
 A step is a sentence or an action with the slots of the command-line contract. A step without a confidence of
-its own has that of the document; without either it is refused. The schema is docs/model_output.schema.json.
+its own has that of the document; without either it is refused. The schema is
+docs/reference/model_output.schema.json.
 Tool calls are taken as well, see ``tool_calls``.
 """
 

@@ -6,6 +6,7 @@ as well.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import MISSING, fields, replace
 from functools import lru_cache, reduce
 from operator import or_
@@ -24,6 +25,7 @@ from pydantic import (
 
 from executive.language.words.tokens import invisible_in
 from executive.meaning import Command, StopCommand
+from trees.registry import skills
 from trees.tasks import ObjectDescription, ObjectOf, Relation, RelationKind, Task
 
 MAX_COUNT = 20
@@ -50,7 +52,7 @@ Whole = Annotated[int, Field(ge=1, le=MAX_COUNT)]
 
 
 class Strict(BaseModel):
-    """Nothing is converted, nothing extra is let in, and no number is NaN or infinite."""
+    """Base of a model's structured output: nothing is converted or added, every number is finite."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
 
@@ -108,18 +110,20 @@ T = TypeVar("T")
 @lru_cache(maxsize=1)
 def action_models() -> dict[str, type[Strict]]:
     """The model of each action, by its name."""
-    models = {kind.action: _model_of(kind) for kind in get_args(Task)}
+    models = {}
+    for action, skill in skills().items():
+        with suppress(KeyError):  # an installed skill may have slots that no JSON is known for
+            models[action] = _model_of(skill.task)
     models["stop"] = _made("StopAction", {"action": (Literal["stop"], ...)})
     return models
 
 
 def command_of(step: BaseModel) -> Command:
     """The command that a validated step means; its text names it in plain words."""
-    kinds = {kind.action: kind for kind in get_args(Task)}
     action = str(getattr(step, "action"))  # noqa: B009 - the class is made at run time
     if action == "stop":
         return StopCommand("stop")
-    kind = kinds[action]
+    kind = skills()[action].task
     slots = {field.name: _plain(getattr(step, field.name)) for field in fields(kind) if field.name != "text"}
     task: Task = kind(text="", **{key: value for key, value in slots.items() if value is not None})
     return replace(task, text=_words(action, slots))

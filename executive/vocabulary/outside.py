@@ -13,7 +13,7 @@ from robots.toml_text import TomlTextError, read_toml
 
 @dataclass(frozen=True, slots=True)
 class OutsideWords:
-    """What other packages say.
+    """Words that other installed packages add to the vocabulary.
 
     Attributes:
         words: For each file where it comes from, and its tables by word class.

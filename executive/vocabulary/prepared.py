@@ -30,7 +30,7 @@ Words = Mapping[str, Mapping[str, Sequence[str]]]
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """What a process needs that parses a sentence.
+    """Vocabulary and grammar as a process that parses sentences needs them, ready to be loaded.
 
     Attributes:
         heads: The word classes, without their phrases.

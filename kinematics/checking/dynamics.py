@@ -22,6 +22,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import SoleDescription
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import Finding, FindingKind
 
@@ -34,11 +35,11 @@ _FIRST_JOINT = 2
 class SupportPolygon:
     """The convex hull of the soles' corners on the floor; frames that are no soles do not carry."""
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
-        soles = {sole.frame: sole for sole in model.description.soles}
+    def __init__(self, robot: StandingRobot) -> None:
+        soles = {sole.frame: sole for sole in robot.model.description.soles}
         corners = [
             (world_T_sole @ np.array([x, y, 0.0, 1.0]))[:2]
-            for name, world_T_sole in stance.soles
+            for name, world_T_sole in robot.stance.soles
             if name in soles
             for x in soles[name].x_m
             for y in soles[name].y_m
@@ -79,7 +80,6 @@ class _Standing:
     """What is the same for every motion on one stance.
 
     Attributes:
-        key: Tells the stance from others.
         polygon: What its soles span.
         points_m: Places of the m soles that are the robot's, shape (m, 3).
         feet: Bodies that carry them, shape (m,).
@@ -88,9 +88,10 @@ class _Standing:
         height_m: Of the plane that the soles stand on, where the ZMP is.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
-        self.key, self.height_m = stance.key, stance.height_m
-        self.polygon = SupportPolygon(model, stance)
+    def __init__(self, robot: StandingRobot) -> None:
+        model, stance = robot.model, robot.stance
+        self.height_m = stance.height_m
+        self.polygon = SupportPolygon(robot)
         sizes = {sole.frame: sole for sole in model.description.soles}
         carrying = [(sizes[name], pose) for name, pose in stance.soles if name in sizes]
         self.points_m = np.array([pose[:3, 3] for _, pose in carrying]).reshape(-1, 3)
@@ -145,9 +146,8 @@ class DynamicsCheck:
         self._kinematics = kinematics
         self._settings = settings
         self._data = model.pin.createData()
-        self._last: _Standing | None = None
         self._armature = np.array(
-            [model.description.gains[name].armature for name in model.joints], dtype=np.float64
+            [model.description.armature[name] for name in model.joints], dtype=np.float64
         )
 
     def findings(self, trajectory: Trajectory, timeline: Timeline) -> tuple[list[Finding], float]:
@@ -245,9 +245,7 @@ class DynamicsCheck:
         return torques
 
     def _standing(self, stance: Stance) -> _Standing:
-        if self._last is None or self._last.key != stance.key:
-            self._last = _Standing(self._model, stance)
-        return self._last
+        return StandingRobot.of(self._model, stance).derived(_Standing)
 
     def _effort(self, times: Array, torques: Array) -> list[Finding]:
         over = np.abs(torques) > self._model.effort

@@ -16,7 +16,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.kinematics import WORLD, BatchedKinematics
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.errors import ModelError
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape

@@ -9,7 +9,7 @@ from kinematics.checking.kinematics import BatchedKinematics
 from kinematics.checking.settings import CheckSettings
 from kinematics.checking.timeline import Timeline
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import Finding, FindingKind
 
 # a foot hangs about a metre below the base: a bend of this many radians moves it as many metres
@@ -17,10 +17,9 @@ _LEG_M = 1.0
 
 
 def stance_findings(
-    model: RobotModel,
+    robot: StandingRobot,
     kinematics: BatchedKinematics,
     timeline: Timeline,
-    stance: Stance,
     settings: CheckSettings,
 ) -> list[Finding]:
     """Judge every sole of the stance at every sample, and between them where the motion bends.
@@ -30,6 +29,7 @@ def stance_findings(
     Raises:
         UnknownNameError: The stance names a frame that the model does not have.
     """
+    model, stance = robot.model, robot.stance
     findings = _mount_findings(model, timeline, settings) if model.description.welded else []
     if not stance.soles:
         return findings

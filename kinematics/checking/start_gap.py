@@ -13,8 +13,6 @@ distance that they must keep (``CheckSettings.spare_m``). The CoM, a mean of poi
 
 from __future__ import annotations
 
-import functools
-
 import numpy as np
 import pinocchio as pin
 
@@ -70,5 +68,6 @@ class StartGap:
         return float((shift_m + turn * self._reach_m[1:]).max()) + 0.125 * self._size_m * turns**2
 
 
-start_gap = functools.lru_cache(maxsize=4)(StartGap)
-"""The measure of a robot; made once, for the first one that asks."""
+def start_gap(model: RobotModel) -> StartGap:
+    """The measure of a robot; made once, for the first one that asks."""
+    return model.derived(StartGap)

@@ -26,6 +26,7 @@ from kinematics.checking.timeline import Timeline
 from kinematics.compiled import readiness
 from kinematics.errors import InvalidMotionError
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.trajectory import HeldLoad, Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, Finding, FindingKind, Unsafe, _Seal
 from kinematics.scene.concessions import Concession
@@ -103,7 +104,8 @@ class TrajectoryChecker:
             jumps_s = jump_intervals(model, timeline, settings)
         findings += rest_findings(trajectory)
         findings += base_findings(timeline, trajectory.v[:, 3:6], settings)
-        findings += stance_findings(model, self._kinematics, timeline, trajectory.stance, settings)
+        standing = StandingRobot.of(model, trajectory.stance)
+        findings += stance_findings(standing, self._kinematics, timeline, settings)
         held = _held_loads(scene)
         loads = tuple(load for load in held if load.mass_kg > 0.0)
         unbalanced, com_margin_m = self._dynamics_with(loads).findings(trajectory, timeline)

@@ -13,7 +13,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape

@@ -6,7 +6,6 @@ touch, and the trajectory checker would refuse the plan.
 
 from __future__ import annotations
 
-import functools
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -52,7 +51,6 @@ class LegRoom(Protocol):
         ...
 
 
-@functools.lru_cache(maxsize=8)
 def leg_room(model: RobotModel, reserve_m: float = LEAST_RESERVE_M) -> LegRoom | None:
     """The judge of a robot's legs, by the kernel where it is compiled; None when it has no such pairs.
 
@@ -60,6 +58,10 @@ def leg_room(model: RobotModel, reserve_m: float = LEAST_RESERVE_M) -> LegRoom |
         model: The robot.
         reserve_m: Links of the legs that are nearer than this are too near.
     """
+    return model.derived(_leg_room, reserve_m)
+
+
+def _leg_room(model: RobotModel, reserve_m: float) -> LegRoom | None:
     geometry = _between_legs(model)
     if not len(geometry.collisionPairs):
         return None
@@ -68,11 +70,10 @@ def leg_room(model: RobotModel, reserve_m: float = LEAST_RESERVE_M) -> LegRoom |
     # imported here: it brings the compiler
     from kinematics.kernel.collision_kernel import CollisionKernel
 
-    arrays = _leg_arrays(robot_build(model))
+    arrays = robot_build(model).derived(_leg_arrays)
     return _KernelLegRoom(CollisionKernel(arrays, PlanningScene(), self_margin_m=reserve_m), reserve_m)
 
 
-@functools.lru_cache(maxsize=4)
 def _leg_arrays(build: RobotBuild) -> RobotArrays:
     """Made once for all models of a robot: that takes as long as a whole pick."""
     from kinematics.kernel.robot_arrays import RobotArrays

@@ -7,7 +7,6 @@ hand holds, may be touched by that. Everything else is judged as before.
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -16,8 +15,9 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.shapes import Box, Shape
+from kinematics.model.derived import Recent
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.concessions import Concession, ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -49,7 +49,7 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         furniture or in another link.
     """
     items, held = list(scene.objects.values()), _held_at(model, scene, q)
-    nearby = _nearby(model, _Start(q, items))
+    nearby = model.derived(_Parts).nearby(_Start(q, items))
     links, relaxed = nearby.parts.links, scene
     near = nearby.within([item.margin_m + reserve_m + ROOM_M for item in items])
     for row, item in enumerate(items):
@@ -106,7 +106,7 @@ def start_concessions(
         for row, item in enumerate(items)
         if relaxed.objects[item.name].margin_m < item.margin_m
     }
-    nearby = _nearby(model, _Start(q, items))
+    nearby = model.derived(_Parts).nearby(_Start(q, items))
     near = nearby.within([item.margin_m + AROUND_M for item in items]) if lowered else {}
     held = _held_at(model, scene, q)
     for row, margin_m in lowered.items():
@@ -141,11 +141,11 @@ def touching_at_rest(model: RobotModel, scene: PlanningScene, q_start: Array, q_
     Returns:
         The same scene when no link that rests is too near to anything.
     """
-    parts = _parts(model)
+    parts = model.derived(_Parts)
     there = [pin.SE3(at) for at in parts.at(q_goal).oMg]
     resting = {k for k, at in enumerate(parts.at(q_start).oMg) if at.isApprox(there[k], _AT_REST)}
     items = list(scene.objects.values())
-    nearby = _nearby(model, _Start(q_start, items))
+    nearby = parts.nearby(_Start(q_start, items))
     pairs = [
         (parts.links[k], items[row].name)
         for row, near in nearby.within([item.margin_m + ROOM_M for item in items]).items()
@@ -174,6 +174,12 @@ class _Parts:
         self.shapes = tuple(item.geometry for item in items)
         self._centres_m = tuple(np.array(item.geometry.aabb_center) for item in items)
         self._radii_m = np.array([item.geometry.aabb_radius for item in items])
+        # a plan asks about one start with several margins
+        self._lately: Recent[_Start, _Nearby] = Recent(2)
+
+    def nearby(self, start: _Start) -> _Nearby:
+        """How far they are from what is around a start."""
+        return self._lately.of(start, lambda: _Nearby(self, start))
 
     def at(self, q: Array) -> pin.GeometryData:
         """Where they are at a configuration, until the next one is asked about."""
@@ -191,11 +197,6 @@ class _Parts:
         local = (centres_m - poses[:, None, :3, 3]) @ poses[:, :3, :3]
         outside = np.maximum(np.abs(local) - half, 0.0)
         return np.asarray(np.sqrt(np.sum(outside**2, axis=2)) - self._radii_m)
-
-
-@functools.lru_cache(maxsize=4)
-def _parts(model: RobotModel) -> _Parts:
-    return _Parts(model)
 
 
 class _Start:
@@ -231,12 +232,6 @@ class _Nearby:
             at = self.parts.at(self._start.q).oMg[part]
             self._exact_m[row, part] = _distance(self.parts.shapes[part], at, self._start.items[row])
         return self._exact_m[row, part]
-
-
-@functools.lru_cache(maxsize=2)
-def _nearby(model: RobotModel, start: _Start) -> _Nearby:
-    """A plan asks about one start with several margins."""
-    return _Nearby(_parts(model), start)
 
 
 def _held_at(

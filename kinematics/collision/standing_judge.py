@@ -12,8 +12,7 @@ from kinematics.collision.collision_world import with_floor
 from kinematics.collision.leg_room import leg_room
 from kinematics.collision.validity import validity
 from kinematics.kernel.refusal import NotFree
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import FLOOR, PlanningScene
 from kinematics.standing.reserves import BRAKING_RESERVE_M
 
@@ -40,41 +39,38 @@ class StandingJudge:
         kept: What it keeps from the floor and between the robot's links.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, scene: PlanningScene, kept: Kept) -> None:
+    def __init__(self, robot: StandingRobot, scene: PlanningScene, kept: Kept) -> None:
         """Prepare.
 
         Args:
-            model: The robot.
-            stance: Where its soles stand.
+            robot: Where it stands.
             scene: What is around, what is held, and which pairs may touch.
             kept: What is kept from the floor and between the robot's links; the scene says the rest.
         """
         self.kept = kept
-        scene = with_floor(model, scene)
+        scene = with_floor(robot.model, scene)
         ground = scene.objects[FLOOR]
         scene = scene.with_object(replace(ground, margin_m=max(ground.margin_m, kept.floor_m)))
-        self._validity = validity(model, stance, scene, self_margin_m=kept.own_m)
-        self._legs = leg_room(model, kept.legs_m)
+        self._validity = validity(robot, scene, self_margin_m=kept.own_m)
+        self._legs = leg_room(robot.model, kept.legs_m)
 
     @classmethod
-    def beginning_at(
-        cls, model: RobotModel, stance: Stance, scene: PlanningScene, x: Array, q: Array
-    ) -> StandingJudge:
+    def beginning_at(cls, robot: StandingRobot, scene: PlanningScene, x: Array, q: Array) -> StandingJudge:
         """The judge of a motion that begins at a posture: it keeps no reserve where that has less.
 
         Args:
-            model, stance, scene: As of the class.
+            robot, scene: As of the class.
             x, q: The posture, as of ``is_free``.
         """
-        whole = cls(model, stance, scene, Kept())
+        whole = cls(robot, scene, Kept())
         if whole.is_free(x, q):
             return whole
         # each reserve alone: one that is not there says nothing about the others
         usual = Kept()
         alone = Kept(usual.own_m, 0.0, 0.0), Kept(0.0, usual.floor_m, 0.0), Kept(0.0, 0.0, usual.legs_m)
-        there = [cls(model, stance, scene, kept).is_free(x, q) for kept in alone]
+        there = [cls(robot, scene, kept).is_free(x, q) for kept in alone]
         own_m, floor_m, legs_m = (BRAKING_RESERVE_M if free else 0.0 for free in there)
-        return cls(model, stance, scene, Kept(own_m, floor_m, legs_m))
+        return cls(robot, scene, Kept(own_m, floor_m, legs_m))
 
     def is_free(self, x: Array, q: Array) -> bool:
         """Tell whether a posture is free.

@@ -6,7 +6,6 @@ all of them where the kernel was not compiled.
 
 from __future__ import annotations
 
-import functools
 import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol
@@ -22,8 +21,7 @@ from kinematics.kernel.refusal import NotFree
 from kinematics.model.robot_build import RobotBuild, robot_build
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import COM_RESERVE_M, LIMIT_NOISE_RAD
@@ -119,12 +117,11 @@ def hand_judge(
     # imported here: it brings the compiler
     from kinematics.kernel.hand_kernel import HandKernel
 
-    return HandKernel(_hand_arrays(model, hand), scene, target, extra_margin_m)
+    return HandKernel(robot_build(model).derived(_hand_arrays, hand), scene, target, extra_margin_m)
 
 
 def validity(
-    model: RobotModel,
-    stance: Stance,
+    robot: StandingRobot,
     scene: PlanningScene,
     extra_margin_m: float = 0.0,
     self_margin_m: float = 0.0,
@@ -133,8 +130,7 @@ def validity(
     """The judge of a robot on planted feet, or on its mount, in a planning scene.
 
     Args:
-        model: The robot.
-        stance: Where its soles stand.
+        robot: Where it stands.
         scene: What is around, what is held, and which pairs may touch.
         extra_margin_m: Added to every margin of the scene.
         self_margin_m: Distance kept between the robot's own links.
@@ -142,18 +138,20 @@ def validity(
     """
     if like is not None and (adapted := like.allowing(scene)) is not None:
         return adapted
+    model = robot.model
     if not _kernel_is_there():
-        return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+        return SampledValidity(robot, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
     # imported here: it brings the compiler
     from kinematics.kernel.collision_kernel import CollisionKernel
 
+    arrays = robot_build(model).derived(_arrays)
     if model.description.welded:
         scene = with_floor(model, scene)
-        return CollisionKernel.mounted(_arrays(model), model, scene, extra_margin_m, self_margin_m)
+        return CollisionKernel.mounted(arrays, model, scene, extra_margin_m, self_margin_m)
     try:
-        return CollisionKernel.standing(_arrays(model), model, stance, scene, extra_margin_m, self_margin_m)
+        return CollisionKernel.standing(arrays, robot, scene, extra_margin_m, self_margin_m)
     except ModelError:  # legs without a closed form
-        return SampledValidity(model, stance, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+        return SampledValidity(robot, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
 
 
 def _kernel_is_there() -> bool:
@@ -161,23 +159,13 @@ def _kernel_is_there() -> bool:
     return readiness.usable()
 
 
-def _arrays(model: RobotModel) -> RobotArrays:
-    return _arrays_of(robot_build(model))
-
-
-def _hand_arrays(model: RobotModel, hand: Hand) -> RobotArrays:
-    return _hand_arrays_of(robot_build(model), hand)
-
-
-@functools.lru_cache(maxsize=4)
-def _arrays_of(build: RobotBuild) -> RobotArrays:
+def _arrays(build: RobotBuild) -> RobotArrays:
     from kinematics.kernel.robot_arrays import humanoid_arrays
 
     return humanoid_arrays(build.model)
 
 
-@functools.lru_cache(maxsize=8)
-def _hand_arrays_of(build: RobotBuild, hand: Hand) -> RobotArrays:
+def _hand_arrays(build: RobotBuild, hand: Hand) -> RobotArrays:
     from kinematics.kernel.hand_kernel import hand_arrays
 
     return hand_arrays(build.model, hand)
@@ -186,13 +174,13 @@ def _hand_arrays_of(build: RobotBuild, hand: Hand) -> RobotArrays:
 class SampledValidity:
     """Judges point by point, with Coal."""
 
-    def __init__(self, model: RobotModel, stance: Stance, world: CollisionWorld) -> None:
+    def __init__(self, robot: StandingRobot, world: CollisionWorld) -> None:
+        model = robot.model
         self._model, self._world = model, world
-        self._space = free_coordinates(model, stance)
+        self._space, self._polygon = free_coordinates(robot), robot.polygon
         margin = model.description.planning_margin_rad
         self._lower = model.lower_rad + margin - LIMIT_NOISE_RAD
         self._upper = model.upper_rad - margin + LIMIT_NOISE_RAD
-        self._polygon = SupportPolygon(stance, model.description.soles)
 
     def points_are_free(self, x: Array) -> bool:
         """Tell whether every one of many points, shape (n, size), is free."""

@@ -1,4 +1,4 @@
-"""A robot's link as a convex solid."""
+"""A robot's link as a convex solid, and shapes of things as Coal's solids."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from kinematics.distance.solids import (
 )
 from kinematics.errors import ModelError
 from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Shape
 
 
 def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
@@ -69,3 +70,12 @@ def _ball_centre(points: Array) -> Array:
         off = points - centre
         centre = centre + off[np.argmax(np.einsum("ni,ni->n", off, off))] / (i + 1)
     return np.asarray(centre, dtype=np.float64)
+
+
+def coal_shape(shape: Shape) -> coal.CollisionGeometry:
+    """Coal's solid of a shape."""
+    if isinstance(shape, Box):
+        return coal.Box(*shape.size_m)
+    if isinstance(shape, Ball):
+        return coal.Sphere(shape.radius_m)
+    return coal.Cylinder(shape.radius_m, shape.height_m)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Sequence
 
 import numpy as np
 
+from kinematics.model.derived import Recent
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import HeldLoad
 from kinematics.scene.planning_scene import PlanningScene
+
+_KEPT = 8
+"""Loads of one robot."""
 
 
 def loads_in(scene: PlanningScene) -> tuple[HeldLoad, ...]:
@@ -41,10 +44,13 @@ def loaded(model: RobotModel, loads: Sequence[HeldLoad]) -> RobotModel:
     Raises:
         UnknownNameError: A load hangs on a frame that the model does not have.
     """
-    return _loaded(model, tuple(loads)) if loads else model
+    return model.derived(_lately).of(tuple(loads), lambda: _loaded(model, loads)) if loads else model
 
 
-@functools.lru_cache(maxsize=8)
-def _loaded(model: RobotModel, loads: tuple[HeldLoad, ...]) -> RobotModel:
-    """Remembered: planner and checker ask for the same one many times."""
+def _lately(_model: RobotModel) -> Recent[tuple[HeldLoad, ...], RobotModel]:
+    """What a robot carried lately: planner and checker ask for the same one many times."""
+    return Recent(_KEPT)
+
+
+def _loaded(model: RobotModel, loads: Sequence[HeldLoad]) -> RobotModel:
     return model.with_point_masses([(load.frame, load.mass_kg, np.array(load.point_m)) for load in loads])

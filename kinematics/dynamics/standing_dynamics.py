@@ -8,7 +8,7 @@ import pinocchio as pin
 from kinematics.arrays import Array
 from kinematics.dynamics.sole_shares import SoleShares
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 
 
 class StandingDynamics:
@@ -18,17 +18,17 @@ class StandingDynamics:
     ground's wrench each sole takes is for ``SoleShares`` to say.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
+    def __init__(self, robot: StandingRobot) -> None:
         """Prepare for one stance.
 
         Args:
-            model: The robot.
-            stance: Soles that carry; their poses must be those that every ``q`` puts them at.
+            robot: Where it stands; its soles' poses must be those that every ``q`` puts them at.
         """
+        model, stance = robot.model, robot.stance
         self._model = model.pin
         self._data = model.pin.createData()
         self._armature = np.array(
-            [model.description.gains[name].armature for name in model.joints], dtype=np.float64
+            [model.description.armature[name] for name in model.joints], dtype=np.float64
         )
         self._shares = SoleShares(stance, model.description.soles)
         self._chains = [chain_columns(model, frame) for frame, _ in stance.soles]

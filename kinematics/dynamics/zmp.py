@@ -6,7 +6,6 @@ et al., "Introduction to Humanoid Robotics", Springer 2014, section 3.3.
 
 from __future__ import annotations
 
-import functools
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,59 +15,48 @@ from kinematics.arrays import Array, as_float64
 from kinematics.compiled import readiness
 from kinematics.model.robot_build import model_tree, planning_memory
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.stance_table import StanceTable
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, cross, rotate
 
 if TYPE_CHECKING:
     from kinematics.model.tree import Tree
 
 
-def _support_polygon(model: RobotModel, stance: Stance) -> SupportPolygon:
-    return SupportPolygon(stance, model.description.soles)
-
-
-_polygon = StanceTable(_support_polygon)
-
-
-def zmp_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> Array:
+def zmp_margins_m(robot: StandingRobot, motion: MotionSample) -> Array:
     """Distance of the ZMP to the edge of the support polygon, positive inside.
 
     Args:
-        model: The robot.
-        stance: Where its soles stand.
+        robot: Where it stands.
         motion: Instants of a motion, arrays with k rows.
 
     Returns:
         Margins, shape (k,), m; infinite for a welded robot.
     """
-    data = planning_memory(model)
+    model, data = robot.model, planning_memory(robot.model)
     q, v, a = motion.q, motion.v, motion.a
     wrench = np.array([pin.rnea(model.pin, data, q[k], v[k], a[k])[:6] for k in range(len(q))])
     force, moment = rotate(q[:, 3:7], wrench[:, :3]), rotate(q[:, 3:7], wrench[:, 3:])
     moment += cross(q[:, :3], force)
-    return _polygon(model, stance).margins_m(_zmp(force, moment, stance.height_m))
+    return robot.polygon.margins_m(_zmp(force, moment, robot.stance.height_m))
 
 
-def balance_margins_m(model: RobotModel, stance: Stance, motion: MotionSample) -> tuple[Array, Array]:
+def balance_margins_m(robot: StandingRobot, motion: MotionSample) -> tuple[Array, Array]:
     """Distances of ZMP and CoM to the edge of the support polygon, positive inside.
 
     Args:
-        model: The robot.
-        stance: Where its soles stand.
+        robot: Where it stands.
         motion: Instants of a motion, arrays with k rows.
 
     Returns:
         Margins of the ZMP and of the CoM's ground projection, shape (k,) each, m; infinite for a
         welded robot.
     """
-    polygon = _polygon(model, stance)
+    model, polygon = robot.model, robot.polygon
     if model.description.welded or not readiness.usable():
         com = np.array([pin.centerOfMass(model.pin, planning_memory(model), q)[:2] for q in motion.q])
-        return zmp_margins_m(model, stance, motion), polygon.margins_m(com)
+        return zmp_margins_m(robot, motion), polygon.margins_m(com)
     force, moment, com = compiled_loads(model, motion)
-    return polygon.margins_m(_zmp(force, moment, stance.height_m)), polygon.margins_m(com[:, :2])
+    return polygon.margins_m(_zmp(force, moment, robot.stance.height_m)), polygon.margins_m(com[:, :2])
 
 
 def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Array, Array]:
@@ -84,7 +72,7 @@ def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Arra
     force, moment, com = (np.empty((len(motion.q), 3)) for _ in range(3))
     n = len(motion.q)
     ground_loads(
-        *_masses(model),
+        *model.derived(_masses),
         as_float64(motion.q, (n, model.nq), "q"),
         as_float64(motion.v, (n, model.nv), "v"),
         as_float64(motion.a, (n, model.nv), "a"),
@@ -95,7 +83,6 @@ def compiled_loads(model: RobotModel, motion: MotionSample) -> tuple[Array, Arra
     return force, moment, com
 
 
-@functools.lru_cache(maxsize=4)
 def _masses(model: RobotModel) -> tuple[Tree, Array]:
     """The robot's tree, and the inertia of each body about its centre of mass, shape (bodies, 3, 3)."""
     return model_tree(model), np.array([np.array(inertia.inertia) for inertia in model.pin.inertias])

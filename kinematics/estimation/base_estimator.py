@@ -21,8 +21,7 @@ import pinocchio as pin
 
 from kinematics.arrays import Array
 from kinematics.errors import KinematicsError
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 
 _GRAVITY_M_S2 = 9.81
 
@@ -63,17 +62,17 @@ class BaseEstimator:
         gravity_tilt_rad: The same as the averaged accelerometer sees it (its z is always 0).
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, settings: EstimatorSettings | None = None) -> None:
+    def __init__(self, robot: StandingRobot, settings: EstimatorSettings | None = None) -> None:
         """Begin with the soles at a known stance.
 
         Args:
-            model: The robot.
-            stance: Where its soles stand in the odometry frame.
+            robot: Where it stands in the odometry frame.
             settings: Time constants; the defaults suit a position-controlled biped.
 
         Raises:
             KinematicsError: The stance has no sole.
         """
+        model, stance = robot.model, robot.stance
         if not stance.soles:
             raise KinematicsError("the base cannot be estimated without a sole on the floor")
         self._settings = settings or EstimatorSettings()

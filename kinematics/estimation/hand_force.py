@@ -39,8 +39,7 @@ class HandForce:
         arm, torso = description.groups[f"{hand}_arm"], description.groups["torso"]
         self._joints = model.indices([*arm, *torso])
         self._weight = 1.0 / np.array([ARM_ERROR_NM] * len(arm) + [TORSO_ERROR_NM] * len(torso))
-        gains = description.gains
-        self._armature = np.array([gains[joint].armature for joint in (*arm, *torso)])
+        self._armature = np.array([description.armature[joint] for joint in (*arm, *torso)])
         self._viscous = viscous_nms_rad
         self._prior = np.diag([FORCE_EXPECTED_N**-2] * 3 + [MOMENT_EXPECTED_NM**-2] * 3)
 

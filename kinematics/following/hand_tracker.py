@@ -16,9 +16,7 @@ import pinocchio as pin
 from kinematics.arrays import Array, Sealed
 from kinematics.following.boxed_least_squares import boxed_least_squares
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.standing.free_coordinates import free_coordinates
 
@@ -85,22 +83,18 @@ class HandTracker:
         standing: Whether the legs reach the ground there.
     """
 
-    def __init__(
-        self, model: RobotModel, stance: Stance, hand: Hand, q: Array, tick_s: float = TICK_S
-    ) -> None:
+    def __init__(self, robot: StandingRobot, hand: Hand, q: Array, tick_s: float = TICK_S) -> None:
         """Begin at rest at a configuration with the feet at the stance.
 
         Args:
-            model: The robot.
-            stance: Where its feet stand.
+            robot: Where it stands.
             hand: The hand that follows.
             q: Where to begin, shape (nq,).
             tick_s: From one goal to the next; longer for a rehearsal, which is only looked at.
         """
-        self._tick_s = tick_s
+        self._tick_s, model = tick_s, robot.model
         self._model, description = model, model.description
-        self._space = free_coordinates(model, stance)
-        polygon = SupportPolygon(stance, description.soles)
+        self._space, polygon = free_coordinates(robot), robot.polygon
         self._middle = 0.5 * (polygon.vertices_m.max(axis=0) + polygon.vertices_m.min(axis=0))
         self._data = model.pin.createData()
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
@@ -124,7 +118,7 @@ class HandTracker:
         self._preferred = self._x[self._columns].copy()
         self._rate = np.zeros(len(self._columns))
         self._recent = np.stack([self._preferred, self._rate, self._rate])[None]
-        home_m = float(self._space.from_q(model.home_over(stance))[2])
+        home_m = float(self._space.from_q(robot.q_home)[2])
         self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
         highest = home_m + _ABOVE_HOME_M
         self._upper[2] = max(start[2], min(self._upper[2], highest))

@@ -9,8 +9,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.reserves import BRAKING_RESERVE_M
@@ -37,18 +36,17 @@ GATHERING = 2.0
 """A hand gathers speed along its path by this share of it a second."""
 
 
-def com_shift_m(model: RobotModel, stance: Stance, outward: Array, at_z_m: float, force_n: float) -> Array:
+def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: float) -> Array:
     """How far back the CoM has to be for a pull, m, shape (2,).
 
     Args:
-        model: The robot.
-        stance: Where its feet stand; the pull tips it about the plane of the soles.
+        robot: Where it stands; the pull tips it about the plane of the soles.
         outward: Unit vector of the pull, shape (3,).
         at_z_m: Height of the pull in the odometry frame.
         force_n: How hard it pulls.
     """
-    height_m = at_z_m - stance.height_m
-    return np.asarray(outward[:2] * force_n * height_m / (model.mass_kg * GRAVITY_M_S2))
+    height_m = at_z_m - robot.stance.height_m
+    return np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
 
 
 def speed_along(path: OpeningPath) -> float:

@@ -15,7 +15,7 @@ from kinematics.errors import TrajectoryDocumentError
 _SHOWN = 40
 """Longer values are cut where an error repeats them."""
 _BYTE_ORDER_MARK = "\ufeff"
-_MAX_TEXT = 200
+MAX_TEXT = 200
 """No name is longer."""
 
 
@@ -108,8 +108,8 @@ class Node:
 
     def text(self) -> str:
         """A name."""
-        if not isinstance(self.value, str) or not self.value.strip() or len(self.value) > _MAX_TEXT:
-            raise self.error(f"must be a text of 1 to {_MAX_TEXT} characters, not {self.shown()}")
+        if not isinstance(self.value, str) or not self.value.strip() or len(self.value) > MAX_TEXT:
+            raise self.error(f"must be a text of 1 to {MAX_TEXT} characters, not {self.shown()}")
         return self.value
 
     def choice(self, known: Sequence[str]) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Shape
 from kinematics.model.robot_model import RobotModel
@@ -86,7 +86,7 @@ LOOSENED: tuple[Loosened, ...] = (
         "what was measured before anything was touched counts as no force",
     ),
 )
-"""The whole list; ``docs/trajectory-checker.md`` tells it to users."""
+"""The whole list; ``docs/reference/trajectory.md`` tells it to users."""
 
 
 def why_not_allowed(pair: Pair, scene: PlanningScene, model: RobotModel, q: Array | None) -> str | None:

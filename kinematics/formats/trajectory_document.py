@@ -1,4 +1,4 @@
-"""A trajectory as text: the JSON document of docs/trajectory.schema.json.
+"""A trajectory as text: the JSON document of docs/reference/trajectory.schema.json.
 
 Read strictly: whatever is missing, unknown, doubled, not finite or out of all proportion is an error
 that names its place. Written exactly: times, configurations and velocities come back bit by bit.
@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.formats.concession_document import concession_json, read_concession
 from kinematics.formats.json_reader import Node, parse_document
 from kinematics.formats.solid_document import (
     MAX_ENTRIES,
     MAX_POSITION,
+    MAX_SIZE_M,
     HeldObject,
     held_json,
     object_json,
@@ -29,7 +29,7 @@ from kinematics.formats.solid_document import (
 )
 from kinematics.model.stance import Stance
 from kinematics.motion.trajectory import Trajectory
-from kinematics.scene.concessions import Concession
+from kinematics.scene.concessions import Concession, ConcessionReason
 from kinematics.scene.planning_scene import Pair, SceneObject
 
 SCHEMA = 1
@@ -98,7 +98,7 @@ def read_trajectory(text: str) -> StoredTrajectory:
     """Read a document.
 
     Args:
-        text: JSON, as ``docs/trajectory.schema.json`` describes it.
+        text: JSON, as ``docs/reference/trajectory.schema.json`` describes it.
 
     Raises:
         TrajectoryDocumentError: With the place, such as ``samples[12].q[9] (arm_left_3_joint)``, and
@@ -147,3 +147,32 @@ def _motion(samples: Node, joints: tuple[str, ...], stance: Stance) -> Trajector
             raise node.key("q").error("the base quaternion (3 to 6) vanishes")
         v[i] = node.key("v").numbers(v_names, MAX_VELOCITY)
     return Trajectory(joints, stance, times, q, v)
+
+
+_REASONS = tuple(reason.value for reason in ConcessionReason)
+
+
+def concession_json(one: Concession) -> dict[str, object]:
+    """What ``read_concession`` reads."""
+    found: dict[str, object] = {"pair": list(one.names), "reason": one.reason.value, "step": one.step}
+    if one.distance_m is not None:
+        found["distance_m"] = one.distance_m
+    return found
+
+
+def read_concession(node: Node) -> Concession:
+    """A concession; what it may concede is the checker's to say.
+
+    Raises:
+        TrajectoryDocumentError: It is none; with its place.
+    """
+    node.only(("pair", "reason", "step"), ("distance_m",))
+    distance_m = node.key("distance_m").number(MAX_SIZE_M) if node.has("distance_m") else None
+    if distance_m is not None and distance_m < 0.0:
+        raise node.key("distance_m").error(f"must be 0 or more, not {distance_m!r}")
+    return Concession(
+        pair=read_pair(node.key("pair")),
+        reason=ConcessionReason(node.key("reason").choice(_REASONS)),
+        step=node.key("step").text(),
+        distance_m=distance_m,
+    )

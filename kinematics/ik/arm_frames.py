@@ -1,12 +1,12 @@
 """Where the parts of one arm are, at a configuration and a little beside it along each of some joints.
 
 The places beside it follow from the joints' axes to first order: one pass over the robot serves a whole
-numeric Jacobian, and what is asked of an arm is written once, for rows of places.
+numeric Jacobian, and what is asked of an arm is written once, for rows of places. Where an arm points is told
+here too.
 """
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -146,9 +146,35 @@ def _frames(places_m: Array, world_R_tcp: Array, ahead: Array) -> ArmFrames:
 
 def arm_kinematics(model: RobotModel, hand: Hand, trunk: bool = True) -> ArmKinematics:
     """Those of a model's arm, made once for each robot."""
-    return _made(robot_build(model), hand, trunk)
+    return robot_build(model).derived(_made, hand, trunk)
 
 
-@functools.lru_cache(maxsize=8)
 def _made(build: RobotBuild, hand: Hand, trunk: bool) -> ArmKinematics:
     return ArmKinematics(build.model, hand, trunk)
+
+
+def beside_ray_m(start: Array, through: Array, point: Array) -> float:
+    """Distance of a point from the ray from ``start`` through another point; infinite behind its start.
+
+    Args:
+        start, through, point: World points, shape (3,) each.
+    """
+    way = (through - start) / np.linalg.norm(through - start)
+    along = float((point - start) @ way)
+    return float(np.linalg.norm(point - start - along * way)) if along > 0.0 else np.inf
+
+
+def link_moved_by(model: RobotModel, joint: str) -> str:
+    """Name of the link that a joint moves; its origin is on the joint's axis."""
+    return model.moved_links[joint]
+
+
+def elbow_frame(model: RobotModel, hand: Hand) -> str:
+    """The link that an arm's fourth joint moves: the forearm begins at its origin."""
+    return link_moved_by(model, model.description.groups[f"{hand}_arm"][3])
+
+
+def pointing_error_m(model: RobotModel, q: Array, hand: Hand, target: Array) -> float:
+    """Distance of a world point, shape (3,), from the line through an arm's forearm and hand."""
+    elbow, tcp = model.frame_poses(q, [elbow_frame(model, hand), model.description.tcp_frames[hand]])
+    return beside_ray_m(elbow[:3, 3], tcp[:3, 3], target)

@@ -22,7 +22,7 @@ from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult, IkTolerance, error
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.leg_ik import LegIk
 from kinematics.standing.reserves import SEARCH_COM_RESERVE_M
 
@@ -50,19 +50,18 @@ class PlacoIk:
     """Inverse kinematics of one hand for one stance.
 
     Args:
-        model: The robot.
-        stance: Where the soles stand.
+        robot: Where it stands.
         hand: The hand whose TCP is placed.
 
     Raises:
         MissingPartError: The robot has no such hand.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
+    def __init__(self, robot: StandingRobot, hand: Hand) -> None:
+        model = robot.model
         description = model.description
         self._model = model
-        self._legs = LegIk(model, stance)
-        self._polygon = SupportPolygon(stance, description.soles)
+        self._legs, self._polygon = robot.derived(LegIk), robot.polygon
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._frame = description.tcp_frames[hand]
@@ -73,7 +72,7 @@ class PlacoIk:
         )
         for name, lower, upper in zip(model.joints, self._lower, self._upper, strict=True):
             self._robot.set_joint_limits(name, float(lower), float(upper))
-        self._solver = self._make_solver(stance)
+        self._solver = self._make_solver(robot.stance)
         self._tcp = self._solver.add_frame_task(self._frame, np.eye(4))
         self._tcp.configure(self._frame, "soft", *TCP_WEIGHTS)
 

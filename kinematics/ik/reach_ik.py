@@ -15,9 +15,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult, IkTolerance, errors_between
 from kinematics.model.robot_build import model_tree, planning_memory
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing import reserves as planning_reserve
 from kinematics.standing.free_coordinates import free_coordinates
 
@@ -48,8 +46,7 @@ class ReachIk:
     """Inverse kinematics of one hand for one stance.
 
     Args:
-        model: The robot; its legs need a closed form.
-        stance: Where the soles stand.
+        robot: Where it stands; its legs need a closed form.
         hand: The hand whose TCP is placed.
 
     Raises:
@@ -57,30 +54,30 @@ class ReachIk:
         ModelError: The legs have no closed form, or the base is welded.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, hand: Hand) -> None:
+    def __init__(self, robot: StandingRobot, hand: Hand) -> None:
         # imported here: they bring the compiler
         from kinematics.ik import reach, reach_problem
         from kinematics.standing.model_coordinates import standing_coordinates, standing_limits
 
+        model, soles = robot.model, robot.stance.soles
         description = model.description
         if description.welded:
             raise ModelError("the free coordinates of a welded robot have no base")
         self._reach, self._reach_in_turn, self._problem = reach.reach, reach.reach_in_turn, reach_problem
         self._model = model
-        self._space = free_coordinates(model, stance)
-        self._polygon = SupportPolygon(stance, description.soles)
+        self._space, self._polygon = free_coordinates(robot), robot.polygon
         self._tree = model_tree(model)
-        self._coordinates = standing_coordinates(model, stance)
-        self._limits = standing_limits(model, stance)
+        self._coordinates = standing_coordinates(robot)
+        self._limits = standing_limits(robot)
         self._least = self._limits.offset - planning_reserve.COM_RESERVE_M
         self._last_start: tuple[Array, Array, ReachSpace] | None = None
         self._margins_by_reserve: dict[float, tuple[Limits, Limits]] = {}
         self._com_margin_m, self._data = description.com_margin_m, planning_memory(model)
-        self._soles = np.array([pose for _, pose in stance.soles])
+        self._soles = np.array([pose for _, pose in soles])
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
-        self._frames = [self._tcp_id, *(model.frame_id(name) for name, _ in stance.soles)]
+        self._frames = [self._tcp_id, *(model.frame_id(name) for name, _ in soles)]
         frame = model.pin.frames[self._tcp_id]
         placement = np.array(frame.placement.homogeneous)
         self._tool = (
@@ -92,7 +89,7 @@ class ReachIk:
         self._joint_lower, self._joint_upper = model.lower_rad + margin, model.upper_rad - margin
         self._least_rad = self._joint_lower - planning_reserve.LIMIT_NOISE_RAD
         self._most_rad = self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
-        home = self._space.from_q(model.home_over(stance))
+        home = self._space.from_q(robot.q_home)
         columns = self._coordinates.columns - 7
         self._lower = np.concatenate([home[:6] - BASE_BELOW, self._joint_lower[columns]])
         self._upper = np.concatenate([home[:6] + BASE_ABOVE, self._joint_upper[columns]])

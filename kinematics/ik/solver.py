@@ -14,9 +14,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult, IkTolerance
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.stance_table import StanceTable
+from kinematics.model.standing_robot import StandingRobot
 
 
 class InverseKinematics(Protocol):
@@ -61,14 +59,14 @@ class FollowingKinematics(Protocol):
         ...
 
 
-def _make_solver(model: RobotModel, stance: Stance, hand: Hand) -> InverseKinematics:
+def _make_solver(robot: StandingRobot, hand: Hand) -> InverseKinematics:
     from kinematics.ik.placo_ik import PlacoIk
     from kinematics.ik.reach_ik import ReachIk
 
     try:
-        return ReachIk(model, stance, hand)
+        return ReachIk(robot, hand)
     except ModelError:
-        return PlacoIk(model, stance, hand)
+        return PlacoIk(robot, hand)
 
 
 @functools.cache
@@ -77,8 +75,9 @@ def _follows(kind: type[InverseKinematics]) -> bool:
     return issubclass(kind, FollowingKinematics)
 
 
-inverse_kinematics = StanceTable(_make_solver)
-"""The solver of a hand: compiled where the legs have a closed form, else PlaCo's."""
+def inverse_kinematics(robot: StandingRobot, hand: Hand) -> InverseKinematics:
+    """The solver of a hand: compiled where the legs have a closed form, else PlaCo's; made once."""
+    return robot.derived(_make_solver, hand)
 
 
 LINE_RESERVE_RAD = 0.015

@@ -23,7 +23,7 @@ from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.kernel.scene_solids import judged_in, scene_solids
 from kinematics.kernel.tuning import Tuning
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.flat_coordinates import Coordinates, Limits
 from kinematics.standing.model_coordinates import (
@@ -154,9 +154,8 @@ class CollisionKernel:
     @classmethod
     def standing(
         cls,
-        robot: RobotArrays,
-        model: RobotModel,
-        stance: Stance,
+        arrays: RobotArrays,
+        robot: StandingRobot,
         scene: PlanningScene,
         extra_margin_m: float = 0.0,
         self_margin_m: float = 0.0,
@@ -167,8 +166,8 @@ class CollisionKernel:
             ModelError: The robot's legs have no closed form.
             UnknownNameError: A body is attached to a frame that the robot does not have.
         """
-        space, limits = standing_coordinates(model, stance), standing_limits(model, stance)
-        return cls(robot, scene, space, limits, extra_margin_m, self_margin_m)
+        space, limits = standing_coordinates(robot), standing_limits(robot)
+        return cls(arrays, scene, space, limits, extra_margin_m, self_margin_m)
 
     @classmethod
     def mounted(

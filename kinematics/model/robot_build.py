@@ -3,41 +3,47 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import pinocchio as pin
 
+from kinematics.model.derived import Derivable
 from kinematics.model.robot_model import RobotModel
 
 if TYPE_CHECKING:
     from kinematics.model.tree import Tree
 
-from collections.abc import Hashable
-from dataclasses import dataclass, field
 
-
-@functools.lru_cache(maxsize=4)
 def model_tree(model: RobotModel) -> Tree:
     """The tree of a model.
 
     Raises:
         ModelError: A joint is neither a floating base at the root nor a hinge or slide of one number.
     """
+    return model.derived(_tree)
+
+
+def _tree(model: RobotModel) -> Tree:
     # imported here: it brings the compiler
     from kinematics.model.tree import tree_of
 
     return tree_of(model.pin)
 
 
-@functools.lru_cache(maxsize=4)
 def planning_memory(model: RobotModel) -> pin.Data:
     """The memory of a model; to make it takes as long as thirty evaluations with it."""
+    return model.derived(_memory)
+
+
+def _memory(model: RobotModel) -> pin.Data:
     return model.pin.createData()
 
 
 @dataclass(frozen=True, slots=True)
-class RobotBuild:
-    """A robot that is compared by what it is built of, for tables of what was made once.
+class RobotBuild(Derivable):
+    """A robot that is compared by what it is built of, and keeps what was made of that; see ``derived``.
 
     Attributes:
         made_from: Equal for robots with the same tree, shapes and loads.
@@ -46,11 +52,15 @@ class RobotBuild:
 
     made_from: Hashable
     model: RobotModel = field(compare=False)
+    _derived: dict[Hashable, Any] = field(init=False, repr=False, compare=False, default_factory=dict)
 
 
-@functools.lru_cache(maxsize=8)
 def robot_build(model: RobotModel) -> RobotBuild:
-    """What a model is built of."""
+    """What a model is built of: the same value for all models that are built alike."""
+    return model.derived(_build)
+
+
+def _build(model: RobotModel) -> RobotBuild:
     robot = model.description
     made_from = (
         robot.planning_urdf,
@@ -61,4 +71,10 @@ def robot_build(model: RobotModel) -> RobotBuild:
         # what is carried belongs to the model, not to the robot's data
         b"".join(inertia.toDynamicParameters().tobytes() for inertia in model.pin.inertias),
     )
-    return RobotBuild(made_from, model)
+    return _first(RobotBuild(made_from, model))
+
+
+@functools.lru_cache(maxsize=8)
+def _first(build: RobotBuild) -> RobotBuild:
+    """That one of equal builds which came first."""
+    return build

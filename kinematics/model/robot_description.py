@@ -7,7 +7,7 @@ that is true of one robot and not of robots in general belongs there.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
@@ -39,17 +39,6 @@ class JointLimits:
 
 
 @dataclass(frozen=True, slots=True)
-class JointGains:
-    """Stiffness (Nm/rad) and damping (Nm s/rad) of a joint's position servo, and its
-    reflected rotor inertia (kg m^2).
-    """
-
-    stiffness: float
-    damping: float
-    armature: float
-
-
-@dataclass(frozen=True, slots=True)
 class GripperDescription:
     """One gripper.
 
@@ -64,10 +53,6 @@ class GripperDescription:
         touch_links: Links that may touch an object while it is grasped.
         open_rad, closed_rad: Joint positions, fully open and fully closed.
         opening_table: Pairs (joint rad, opening between the pads m), rising in joint position.
-        effort_nm: Closing effort used for a grasp; never above the joint's effort limit.
-        closing_speed_rad_s: Speed of a guarded closing.
-        empty_below_rad: A joint that closed further than this holds nothing.
-        held_effort_nm: At least this effort is felt when something is held.
         payload_kg: The heaviest that arm and hand are made to carry; nothing held is taken for heavier.
         pad_half_size_m: Half-sizes of each finger's pad (across, thickness, length), as ``pad_links``.
         pad_position_m: Centre of each pad in its fingertip link.
@@ -87,10 +72,6 @@ class GripperDescription:
     open_rad: float
     closed_rad: float
     opening_table: tuple[tuple[float, float], ...]
-    effort_nm: float
-    closing_speed_rad_s: float
-    empty_below_rad: float
-    held_effort_nm: float
     payload_kg: float
     pad_half_size_m: tuple[tuple[float, float, float], ...]
     pad_position_m: tuple[tuple[float, float, float], ...]
@@ -134,54 +115,10 @@ class CameraDescription:
 
 
 @dataclass(frozen=True, slots=True)
-class SensorNoise:
-    """Standard deviations of the sensors' white noise, SI units, and the encoder resolution.
-
-    Those of an IMU or of feet that the robot does not have are 0.
-    """
-
-    joint_position_rad: float
-    joint_velocity_rad_s: float
-    joint_effort_fraction: float
-    gyro_rad_s: float = 0.0
-    accelerometer_m_s2: float = 0.0
-    foot_force_n: float = 0.0
-    foot_torque_nm: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class HealthLimits:
-    """From when on something counts as wrong with the body.
-
-    Attributes:
-        motor_effort_fraction: A motor that lacks this share of its effort limit, beside what its servo's
-            law asks for, is weak or offline.
-        stuck_rad: A joint whose setpoint has moved this far within half a second, and which has not
-            moved with it, is stuck.
-        stuck_effort_nm: A soft joint has to be asked for at least the way that this effort bends its
-            servo: so much may what a hand carries or touches hold it back.
-        tracking_rad: A joint this far from its setpoint does not follow.
-        encoder_offset_rad: A position that has left the sum of the speeds by this.
-        gyro_bias_rad_s: Between the gyro and the turning that the legs see.
-        foot_force_n: A sole that is meant to carry and feels less has lost the floor.
-        battery_low: Share of the charge below which no new task is begun.
-        late_share: Share of late control periods, over a second, that the loop may have.
-    """
-
-    motor_effort_fraction: float = 0.08
-    stuck_rad: float = 0.005
-    stuck_effort_nm: float = 0.0
-    tracking_rad: float = 0.05
-    encoder_offset_rad: float = 0.015
-    gyro_bias_rad_s: float = 0.01
-    foot_force_n: float = 20.0
-    battery_low: float = 0.15
-    late_share: float = 0.2
-
-
-@dataclass(frozen=True, slots=True)
 class RobotDescription:
-    """Everything that the product knows about one robot.
+    """What planners and the checker know about one robot: where its parts are, and what moves how fast.
+
+    Its servos, sensors and health limits are ``robots.interface.hardware``.
 
     Attributes:
         name: Folder name under ``robots/models``.
@@ -191,7 +128,7 @@ class RobotDescription:
         joints: Actuated body joints, in Pinocchio's order of the planning model.
         gripper_joints: Driven gripper joints, appended after ``joints`` in every setpoint.
         limits: By joint name, grippers too.
-        gains: By joint name, grippers too.
+        armature: Reflected rotor inertia by joint name, kg m^2, grippers too.
         home: Joint positions of the home posture, every joint.
         groups: Joint names by group, every one of ``GROUPS``; empty where the robot has no such part.
         grippers: Of the hands that can grasp.
@@ -205,10 +142,8 @@ class RobotDescription:
         cannot_grasp: Why hands without a gripper have none; empty when all can grasp.
         walking: How it walks; None for a robot that does not, or of which it is not known.
         joint_viscosity_nms_rad: Effort that each rad/s of a joint loses to its friction.
-        health: From when on something counts as wrong with the body.
         reachability: How well the hands reach what is around; None where nobody has made the map.
         planning_margin_rad: Limits are shrunk by this for planning.
-        contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
     """
 
@@ -220,7 +155,7 @@ class RobotDescription:
     joints: tuple[str, ...]
     gripper_joints: tuple[str, ...]
     limits: Mapping[str, JointLimits]
-    gains: Mapping[str, JointGains]
+    armature: Mapping[str, float]
     home: Mapping[str, float]
     groups: Mapping[str, tuple[str, ...]]
     grippers: Mapping[Hand, GripperDescription]
@@ -229,10 +164,8 @@ class RobotDescription:
     head_camera: CameraDescription | None
     base_link: str
     imu: str | None
-    noise: SensorNoise
     planning_margin_rad: float
     com_margin_m: float
-    contact_effort_nm: Mapping[str, float] = field(default_factory=dict)
     base: Base = "floating"
     mount_xyz_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy_rad: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -240,7 +173,6 @@ class RobotDescription:
     walking: WalkingSettings | None = None
     reachability: ReachabilityMap | None = None
     joint_viscosity_nms_rad: float = 0.0
-    health: HealthLimits = field(default_factory=HealthLimits)
 
     @property
     def actuated(self) -> tuple[str, ...]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
+from typing import Any
 
 import coal
 import numpy as np
@@ -15,15 +16,12 @@ from kinematics.arrays import Array
 from kinematics.errors import ModelError, UnknownNameError
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from kinematics.model.derived import Derivable
 from kinematics.model.judged_bodies import require_hinges, require_judged_solids, require_no_capsules
 from kinematics.model.robot_description import Hand, RobotDescription
-from kinematics.model.stance import Stance
-
-_LEVEL = 1.0 - 1e-9
-"""Cosine of what counts as level."""
 
 
-class RobotModel:
+class RobotModel(Derivable):
     """A robot's kinematic tree, limits and collision geometry.
 
     Attributes:
@@ -57,8 +55,7 @@ class RobotModel:
         self._index = {name: i for i, name in enumerate(self.joints)}
         self._data = self.pin.createData()
         self._frame_ids: dict[str, int] = {}
-        # of the stance that was asked for last: feet stand still for most of a task
-        self._home_over: tuple[Stance, Array] | None = None
+        self._derived: dict[Hashable, Any] = {}
 
     @property
     def nq(self) -> int:
@@ -83,6 +80,13 @@ class RobotModel:
             if frame.type == pin.FrameType.BODY:
                 links.setdefault(str(self.pin.names[frame.parentJoint]), str(frame.name))
         return links
+
+    @cached_property
+    def free_joints(self) -> tuple[str, ...]:
+        """Joints that are in no leg, in the model's order: what a robot that stands moves freely."""
+        groups = self.description.groups
+        in_legs = {joint for name, members in groups.items() if name.endswith("_leg") for joint in members}
+        return tuple(joint for joint in self.joints if joint not in in_legs)
 
     def carrying(self, masses_kg: Mapping[Hand, float]) -> RobotModel:
         """The same robot with point masses at its TCPs: its CoM, its mass and its dynamics are those of both.
@@ -113,6 +117,7 @@ class RobotModel:
             load = pin.Inertia(mass_kg, frame.placement.act(point_m), np.zeros((3, 3)))
             loaded.pin.inertias[frame.parentJoint] += load
         loaded._data = loaded.pin.createData()
+        loaded._derived = {}
         vars(loaded).pop("mass_kg", None)
         return loaded
 
@@ -186,22 +191,6 @@ class RobotModel:
     def q_home(self) -> Array:
         """The home posture, standing at the origin or where it is mounted, shape (nq,)."""
         return self.on_the_floor({})
-
-    def home_over(self, stance: Stance) -> Array:
-        """The home posture with its soles at a stance, shape (nq,); that of a welded robot has none."""
-        if self.description.welded:
-            return self.q_home
-        if self._home_over is None or self._home_over[0] is not stance:
-            self._home_over = stance, self._over(stance)
-        return self._home_over[1].copy()
-
-    def _over(self, stance: Stance) -> Array:
-        soles = [world_T_sole for _, world_T_sole in stance.soles]
-        middle = poses.interpolate(soles[0], soles[-1], 0.5)
-        if middle[2, 2] < _LEVEL:  # soles lie on what they stand on, the body stands upright all the same
-            middle = poses.transform(poses.rotation_z(poses.yaw_of(middle[:3, :3])), middle[:3, 3])
-        base = poses.transform(poses.rotation_from_quaternion(self.q_home[3:7]), self.q_home[:3])
-        return self.configuration({}, middle @ base)
 
     def frame_pose(self, q: Array, frame: str) -> Transform:
         """``world_T_frame`` at a configuration."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kinematics.arrays import Sealed, sealed
+from kinematics.arrays import Array, Sealed, sealed
 from kinematics.geometry.poses import Transform
+from kinematics.model.robot_model import RobotModel
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,3 +32,19 @@ class Stance(Sealed):
     def height_m(self) -> float:
         """Height of the plane that the soles stand on, where the ZMP is: their mean; 0 without soles."""
         return sum(float(pose[2, 3]) for _, pose in self.soles) / max(len(self.soles), 1)
+
+
+def stance_at(model: RobotModel, q: Array, frames: Sequence[str] | None = None) -> Stance:
+    """Return the stance of the soles where a configuration has them.
+
+    Args:
+        model: The robot.
+        q: Configuration, shape (nq,).
+        frames: Names of the sole frames that carry; all soles of the robot when left out (a welded
+            robot has none, so its stance is empty).
+
+    Raises:
+        UnknownNameError: A frame is not in the model.
+    """
+    names = [sole.frame for sole in model.description.soles] if frames is None else list(frames)
+    return Stance(tuple(zip(names, model.frame_poses(q, names), strict=True)))

@@ -54,11 +54,6 @@ class WalkingSettings:
         acceleration_m_s2, turn_acceleration_rad_s2: Of the body's velocity from step to step.
         dcm_gain: Share of the DCM's error that is added to the ZMP, less 1.
         zmp_inset_m: The ZMP stays this far inside the sole's edge.
-        trunk_stiffness_nm, trunk_damping_nms: Moment that rights the trunk, per rad and rad/s.
-        joint_acceleration: Limit of the setpoints by joint, rad/s^2, while walking; those that are
-            not named keep the limits of other motions.
-        ankle_stiffness_nm, ankle_damping_nms: Of the ankles while walking, per rad and rad/s.
-        effort_share: Of a joint's effort limit that feed-forward and feedback may ask for.
         tucked: How it draws its arms in; None for one that cannot.
     """
 
@@ -92,12 +87,6 @@ class WalkingSettings:
     turn_acceleration_rad_s2: float
     dcm_gain: float
     zmp_inset_m: float
-    trunk_stiffness_nm: float
-    trunk_damping_nms: float
-    ankle_stiffness_nm: float
-    ankle_damping_nms: float
-    joint_acceleration: Mapping[str, float]
-    effort_share: float
     tucked: TuckedArms | None = None
 
     @property

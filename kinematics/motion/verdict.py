@@ -1,4 +1,4 @@
-"""The verdict on a trajectory: checked, or unsafe with its findings."""
+"""The verdict on a trajectory: checked, or unsafe with its findings; the tolerance that judges share."""
 
 from __future__ import annotations
 
@@ -8,6 +8,11 @@ from enum import Enum
 
 from kinematics.errors import InvalidMotionError
 from kinematics.motion.trajectory import HeldLoad, Trajectory
+
+SETPOINT_FRACTION = 1e-4
+"""Setpoints may pass limits of speed, acceleration and jerk by this fraction: a brake is judged by
+differences along a path that uses its limits fully, and where one was refused for a millionth, a harder one
+was left."""
 
 
 class FindingKind(Enum):

@@ -7,19 +7,20 @@ several starts, judged like any goal, and reached by the path planner. The robot
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.ik.arm_frames import ArmFrames, arm_kinematics
+from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, beside_ray_m
 from kinematics.ik.arm_posture import arm_posture
-from kinematics.ik.pointing import beside_ray_m
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.gesture_task import ENOUGH, STARTS, GestureTask, Wish
 from kinematics.requests.gesture import (
     CarryRequest,
@@ -30,6 +31,7 @@ from kinematics.requests.gesture import (
     SwingRequest,
 )
 from kinematics.requests.move import MovePlan
+from kinematics.requests.request import Request
 from kinematics.requests.step import NoPlan
 
 MakeTask = Callable[[RobotModel, Array, GestureRequest, Hand, int], GestureTask]
@@ -93,17 +95,20 @@ class GesturePlanner:
             make_task = PlannedGesture
         self._model, self._make_task = model, make_task
 
+    @property
+    def planners(self) -> Mapping[type[Request[Any]], Callable[[Any], MovePlan | NoPlan]]:
+        """Who plans which gesture."""
+        return {
+            RaiseHandRequest: self._raise,
+            SwingRequest: self._swing,
+            PointRequest: self._point,
+            CarryRequest: self._carry,
+            OfferRequest: self._offer,
+        }
+
     def plan(self, request: GestureRequest) -> MovePlan | NoPlan:
         """Plan one gesture, or say honestly why there is none."""
-        if isinstance(request, RaiseHandRequest):
-            return self._raise(request)
-        if isinstance(request, SwingRequest):
-            return self._swing(request)
-        if isinstance(request, PointRequest):
-            return self._point(request)
-        if isinstance(request, CarryRequest):
-            return self._carry(request)
-        return self._offer(request)
+        return self.planners[type(request)](request)
 
     def _raise(self, request: RaiseHandRequest) -> MovePlan | NoPlan:
         task = self._make_task(self._model, request.q_start, request, request.hand, request.seed)
@@ -238,7 +243,7 @@ class GesturePlanner:
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
-        home = self._model.home_over(request.stance)
+        home = StandingRobot.of(self._model, request.stance).q_home
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
         held = _HeldInHand(body.frame_T_object)
         ahead, inwards, down = CARRY_M

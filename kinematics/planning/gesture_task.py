@@ -16,6 +16,7 @@ from kinematics.ik.arm_posture import Residual, arm_posture
 from kinematics.ik.gaze import gaze_joints
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MovePlan
 from kinematics.requests.step import NoPlan
@@ -64,11 +65,11 @@ class GestureTask(ABC):
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
     ) -> None:
         self._model, self._hand, self._q_start = model, hand, q_start
-        self._stance = request.stance
+        self._robot = StandingRobot.of(model, request.stance)
         self._rng = np.random.default_rng(seed)
         self.arm = arm_kinematics(model, hand)
         self.outwards = 1.0 if hand == "left" else -1.0
-        self._home = model.home_over(request.stance)
+        self._home = self._robot.q_home
 
     @abstractmethod
     def reach(self, name: str, wish: Wish) -> MovePlan | NoPlan:

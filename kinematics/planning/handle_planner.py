@@ -9,36 +9,30 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.collision.relaxed_start import relaxed_at, start_concessions
-from kinematics.collision.validity import validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import IkTolerance
-from kinematics.ik.solver import along_line, inverse_kinematics
+from kinematics.ik.solver import along_line
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
-from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import key_of
 from kinematics.planning.opening_rehearsal import rehearse
-from kinematics.planning.path_planner import PathPlanner
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, PlanningTask
 from kinematics.planning.pushing import assumed_bars, outward_of, push_grasps
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
-from kinematics.requests.step import NoPlan, PlannedStep
-from kinematics.scene.concessions import Concession, ConcessionReason, touching
+from kinematics.requests.step import NoPlan, WhyNoPlan
+from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.opening_path import DoorArc
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
-from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace
 
 APPROACH_M = 0.10
@@ -47,8 +41,6 @@ SHORT_M = 0.010
 is no more room than they need."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
-_STRAIGHT_PACE = Pace(velocity=0.2, acceleration=0.5)
-_POINTS = 4
 _TURNS_RAD = tuple(math.radians(a) for a in (20, 0, 40, -20))
 """About the bar, away from the hinge: turned like this the arm follows farthest."""
 _FLOATED = 0.8
@@ -89,27 +81,25 @@ class HandlePlanner:
             numbers["reached"] = farthest
             numbers["wanted"] = task.request.s_to
         return NoPlan(
-            f"no way to move the {task.request.handle} from here was found", dict(task.reasons), numbers
+            f"no way to move the {task.request.handle} from here was found",
+            dict(task.reasons),
+            numbers,
+            WhyNoPlan.NO_GRASP,
         )
 
 
-class _HandleTask:
-    """The state of one planning problem."""
+class _HandleTask(PlanningTask):
+    """One handle to be taken hold of: its candidates are grasps."""
 
     def __init__(self, model: RobotModel, request: HandleRequest) -> None:
-        self._model, self.request = model, request
-        self._space = free_coordinates(model, request.stance)
-        self.reasons: Counter[str] = Counter()
-        self.considered = 0
+        super().__init__(model, request, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M, start_reserve_m=0.0)
+        self.request = request
         self.farthest_s: float | None = None
-        start = relaxed_at(model, request.scene, request.q_start)
-        self._reach_scene = start
-        self._reach_planner = self._planner(start)
 
     @property
     def starts_free(self) -> bool:
         """Whether the robot is inside nothing where it stands."""
-        return self._reach_planner.is_free(self._space.start(self.request.q_start))
+        return self.planner.is_free(self.x_start)
 
     def grasps(self) -> Iterator[Grasp]:
         """Candidates, the most promising first."""
@@ -154,26 +144,27 @@ class _HandleTask:
         return plan
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
-        request, model = self.request, self._model
-        ik = inverse_kinematics(model, request.stance, grasp.hand)
+        request = self.request
+        ik = self.ik_of(grasp.hand)
         found = ik.solve(grasp.world_T_tcp, request.q_start)
         if not found.within(_TOLERANCE):
             return "no inverse kinematics at the handle"
         scene = self._touching(grasp.hand)
-        near = self._planner(scene)
-        blocked = near.judge.not_free(self._space.from_q(found.q))
+        near = self.planner_in(scene)
+        blocked = near.judge.not_free(self.space.from_q(found.q))
         if blocked is not None:
             return "collision at the handle" if blocked.pair is not None else f"at the handle {blocked}"
-        back = along_line(ik, found.q, grasp.world_T_tcp, self._before(grasp), _POINTS)
+        back = along_line(ik, found.q, grasp.world_T_tcp, self._before(grasp), CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
-        approach = PolynomialCurve(self._gazing(back[::-1], grasp.world_T_tcp[:3, 3]))
+        gaze = gaze_joints(self._model, back[-1], grasp.world_T_tcp[:3, 3])
+        approach = PolynomialCurve(self.looking(self.rows(back[::-1]), gaze))
         x_pregrasp, x_grasp = approach(np.array([0.0, 1.0]))
-        if not self._reach_planner.is_free(x_pregrasp) or not near.curve_is_free(approach):
+        if not self.planner.is_free(x_pregrasp) or not near.curve_is_free(approach):
             return "approach collides"
-        q_grasp = self._space.to_q(x_grasp[None, :])[0][0]
+        q_grasp = self.space.to_q(x_grasp[None, :])[0][0]
         rehearsal = rehearse(
-            model, request.stance, grasp.hand, q_grasp, scene, request.parts, request.path,
+            self.robot, grasp.hand, q_grasp, scene, request.parts, request.path,
             request.s_from, request.s_to,
         )  # fmt: skip
         if rehearsal.reason:
@@ -192,44 +183,18 @@ class _HandleTask:
         return before
 
     def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, farthest_s: float) -> HandlePlan | str:
-        request, model = self.request, self._model
-        groups = model.description.groups
-        arms = [joint for hand in ("left", "right") for joint in groups[f"{hand}_arm"]]
-        moving = [self._space.index(joint) for joint in (*arms, *groups["torso"])]
-        start = self._space.start(request.q_start)
-        reach = self._reach_planner.plan(start, x_pregrasp, moving, np.random.default_rng(request.seed))
+        reach = self.path(x_pregrasp, ("left", "right"), np.random.default_rng(self.request.seed))
         if reach is None:
             return "no path to the handle"
-        near = start_concessions(model, request.scene, self._reach_scene, request.q_start, "reach")
-        links = model.description.grippers[grasp.hand].touch_links
-        in_hand = touching(links, request.parts, ConcessionReason.HANDLE_IN_HAND, "approach")
-        first = self._step("reach", reach, _REACH_PACE, near)
-        second = self._step("approach", approach, _STRAIGHT_PACE, in_hand)
+        links = self._model.description.grippers[grasp.hand].touch_links
+        in_hand = touching(links, self.request.parts, ConcessionReason.HANDLE_IN_HAND, "approach")
+        first = self.first_step("reach", reach, _REACH_PACE)
+        second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
             return "legs cannot follow"
-        led = lead_in(first.trajectory, request.q_start, model.acceleration)
-        return HandlePlan(
-            grasp, dataclasses.replace(first, trajectory=led), second, farthest_s, self.considered
-        )
-
-    def _step(
-        self, name: str, curve: Curve, pace: Pace, concessions: tuple[Concession, ...]
-    ) -> PlannedStep | None:
-        request = self.request
-        trajectory = time_in_balance(self._model, self._space, request.stance, curve, pace)
-        return None if trajectory is None else PlannedStep(name, trajectory, request.scene, concessions)
+        return HandlePlan(grasp, first, second, farthest_s, self.considered)
 
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""
         links = self._model.description.grippers[hand].touch_links
         return self.request.scene.allowing((link, part) for link in links for part in self.request.parts)
-
-    def _gazing(self, configurations: Array, place: Array) -> Array:
-        x = np.array([self._space.from_q(q) for q in configurations])
-        for joint, angle in gaze_joints(self._model, configurations[0], place).items():
-            x[:, self._space.index(joint)] = angle
-        return x
-
-    def _planner(self, scene: PlanningScene) -> PathPlanner:
-        judge = validity(self._model, self.request.stance, scene, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M)
-        return PathPlanner(self._model, self._space, judge)

@@ -16,6 +16,7 @@ from kinematics.collision.relaxed_start import (
 from kinematics.collision.validity import Validity, validity
 from kinematics.collision.wide_berth import wide_berth
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.path_planner import PathPlanner, PathSettings
@@ -43,30 +44,31 @@ class _Ends:
 
 def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
     """Plan it, or say why there is none."""
-    space = free_coordinates(model, request.stance)
+    robot = StandingRobot.of(model, request.stance)
+    space = free_coordinates(robot)
     start = space.start(request.q_start)
-    ends = _Ends(space, start, _goal(model, space, start, request))
+    ends = _Ends(space, start, _goal(robot, start, request))
     scene = relaxed_at(model, request.scene, request.q_start)
     concessions = start_concessions(model, request.scene, scene, request.q_start, "move")
-    curve = _way(model, request, ends, scene)
+    curve = _way(robot, request, ends, scene)
     if curve is None:
         q_goal = space.to_q(ends.goal[None, :])[0][0]
         resting = touching_at_rest(model, scene, request.q_start, q_goal)
-        curve = PathPlanner(model, space, validity(model, request.stance, resting)).straight(start, ends.goal)
+        curve = PathPlanner(model, space, validity(robot, resting)).straight(start, ends.goal)
         if curve is None:
-            return _no_way(validity(model, request.stance, scene), ends)
+            return _no_way(validity(robot, scene), ends)
         concessions += rest_concessions(scene, resting, "move")
-    trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
+    trajectory = time_in_balance(robot, curve, REACH_PACE)
     if trajectory is None:
         return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
     trajectory = lead_in(trajectory, request.q_start, model.acceleration)
     return MovePlan(PlannedStep("move", trajectory, request.scene, concessions))
 
 
-def _goal(model: RobotModel, space: FreeCoordinates, start: Array, request: MoveRequest) -> Array:
-    goal = start.copy()
+def _goal(robot: StandingRobot, start: Array, request: MoveRequest) -> Array:
+    space, goal = free_coordinates(robot), start.copy()
     if not request.keep_others:
-        goal = space.from_q(model.home_over(request.stance))
+        goal = space.from_q(robot.q_home)
     for joint, angle in request.joints.items():
         goal[space.index(joint)] = angle
     if space.base_size:
@@ -74,9 +76,9 @@ def _goal(model: RobotModel, space: FreeCoordinates, start: Array, request: Move
     return goal
 
 
-def _way(model: RobotModel, request: MoveRequest, ends: _Ends, scene: PlanningScene) -> Curve | None:
+def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: PlanningScene) -> Curve | None:
     """A free curve: with a wide berth of things, else with a reserve against the checker, else without."""
-    groups = model.description.groups
+    model, groups = robot.model, robot.model.description.groups
     moving = [
         ends.space.index(joint) for name in ("left_arm", "right_arm", "torso") for joint in groups[name]
     ]
@@ -86,7 +88,7 @@ def _way(model: RobotModel, request: MoveRequest, ends: _Ends, scene: PlanningSc
     if wide is not spare:
         ways.insert(0, (wide, RESERVE_M, PathSettings()))
     for around, reserve_m, settings in ways:
-        judge = validity(model, request.stance, around, reserve_m)
+        judge = validity(robot, around, reserve_m)
         planner = PathPlanner(model, ends.space, judge, settings)
         curve = planner.plan(ends.start, ends.goal, moving, np.random.default_rng(request.seed))
         if curve is not None:

@@ -24,8 +24,7 @@ from kinematics.following.opening_motion import (
     turned_with,
 )
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
@@ -53,8 +52,7 @@ class Rehearsal:
 
 
 def rehearse(
-    model: RobotModel,
-    stance: Stance,
+    robot: StandingRobot,
     hand: Hand,
     q_grasp: Array,
     scene: PlanningScene,
@@ -66,8 +64,7 @@ def rehearse(
     """Follow a path from a grasp, as ``YieldingHand`` would, and judge the postures on the way.
 
     Args:
-        model: The robot.
-        stance: Where its feet stand.
+        robot: Where it stands.
         hand: The hand that holds the handle.
         q_grasp: Configuration with the handle in the hand at ``s_from``, shape (nq,).
         scene: What is around; the hand may touch what its ``allowed`` says.
@@ -76,16 +73,16 @@ def rehearse(
         s_from, s_to: Openings.
     """
     tick_s = REHEARSED_TICK_S
-    tracker = HandTracker(model, stance, hand, q_grasp, tick_s)
+    tracker = HandTracker(robot, hand, q_grasp, tick_s)
     path = path.through(tracker.tcp_m, s_from)
-    space = free_coordinates(model, stance)
+    space = free_coordinates(robot)
     scene, times = guarded_scene(scene), np.empty(0)
     rotation, at_z_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
     start = path.at(s_from)
-    shift = com_shift_m(model, stance, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
+    shift = com_shift_m(robot, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
@@ -95,10 +92,10 @@ def rehearse(
         if abs(s - judged_s) >= every or s in (s_from, s_to):
             around, x = scene_at(scene, parts, path, s_from, s), space.from_q(tracker.q)
             if kept is None:
-                judge = StandingJudge.beginning_at(model, stance, around, x, tracker.q)
+                judge = StandingJudge.beginning_at(robot, around, x, tracker.q)
                 kept = judge.kept
             else:
-                judge = StandingJudge(model, stance, around, kept)
+                judge = StandingJudge(robot, around, kept)
             found = judge.not_free(x, tracker.q)
             if found is not None:
                 blocked = found.pair is not None
@@ -110,7 +107,7 @@ def rehearse(
         s = s_to if abs(s_to - s) <= step else s + way * step
         spin = max(spin_along(path), spin * SPIN_FADES ** (tick_s / TICK_S))
         point = path.at(s)
-        eased = com_shift_m(model, stance, point.outward, at_z_m, MOVING_N if way > 0.0 else 0.0)
+        eased = com_shift_m(robot, point.outward, at_z_m, MOVING_N if way > 0.0 else 0.0)
         steps += 1
         tracker.tick(
             HandGoal(point.position_m, turned_with(path, rotation, s_from, s), spin, axis, eased), times

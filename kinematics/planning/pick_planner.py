@@ -12,7 +12,7 @@ from kinematics.motion.curves import Curve
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
 from kinematics.planning.pick_task import Goal, PickTask, Way
 from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.requests.step import NoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from kinematics.standing.reserves import LEAST_RESERVE_M, PLANNING_RESERVE_M
 
 # So many grasps that a straight reach comes to are compared; without one, so many get a detour.
@@ -52,6 +52,7 @@ class PickPlanner:
             f"no way to grasp the {request.target} with the {hands} hand was found",
             dict(thorough.reasons),
             {"grasps_considered": float(considered)},
+            WhyNoPlan.NO_GRASP,
         )
 
     def _too_wide(self, request: PickRequest) -> NoPlan | None:
@@ -66,6 +67,7 @@ class PickPlanner:
             f"and at most {1000 * widest_m:.0f} mm fit between the fingers",
             {},
             {"width_m": width_m, "widest_m": widest_m},
+            WhyNoPlan.TOO_WIDE,
         )
 
     def _best(self, task: PickTask) -> PickPlan | None:

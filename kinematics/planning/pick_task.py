@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -16,29 +15,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.collision.relaxed_start import relaxed_at, start_concessions
-from kinematics.collision.validity import HandJudge, hand_judge, validity
+from kinematics.collision.validity import HandJudge, hand_judge
 from kinematics.geometry import poses
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import DEFAULT_TOLERANCE
-from kinematics.ik.solver import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
+from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.support_polygon import SupportPolygon
 from kinematics.motion.curves import Curve, PolynomialCurve
-from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import GraspCandidate, GraspTable, grasp_table, key_of
 from kinematics.planning.path_planner import PathPlanner
-from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.requests.step import PlannedStep
-from kinematics.scene.concessions import Concession, ConcessionReason, touching
+from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import under_foot_of
-from kinematics.standing.free_coordinates import free_coordinates
-from kinematics.timing.balanced_timing import time_in_balance
-from kinematics.timing.curve_timing import Pace
 
 # Straight approach: long enough that open fingers clear the object before it begins.
 APPROACH_M = 0.10
@@ -82,13 +74,8 @@ class Goal:
     lift: Curve
 
 
-class PickTask:
-    """The state of one planning problem.
-
-    Attributes:
-        reasons: How many grasps failed for which reason so far.
-        considered: How many grasps were looked at so far.
-    """
+class PickTask(PlanningTask):
+    """One pick: its candidates are grasps."""
 
     def __init__(
         self,
@@ -98,20 +85,14 @@ class PickTask:
         reserve_m: float,
         upright: bool,
     ) -> None:
-        self._model, self._request, self._target = model, request, request.scene.objects[request.target]
-        self._heights, self._reserve_m, self._upright = heights, reserve_m, upright
-        self._space = free_coordinates(model, request.stance)
-        self._polygon = SupportPolygon(request.stance, model.description.soles)
+        super().__init__(model, request, reserve_m)
+        self._request, self._target = request, request.scene.objects[request.target]
+        self._heights, self._upright = heights, upright
         self._rng = np.random.default_rng(request.seed)
         self._hands: dict[Hand, HandJudge] = {}
-        self._reach_scene = relaxed_at(model, request.scene, request.q_start, self._reserve_m)
-        self._reach_planner = self._planner(self._reach_scene, self._reserve_m)
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
-        self._x_start = self._space.start(request.q_start)
         # the search starts at home, which keeps elbows where they belong
-        self._seed = model.home_over(request.stance)
-        self.reasons: Counter[str] = Counter()
-        self.considered = 0
+        self._seed = self.robot.q_home
         self._in_reach: dict[Hand, Array] = {}
         for hand in request.hands:
             offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
@@ -184,7 +165,7 @@ class PickTask:
 
     def straight_reach(self, way: Way) -> Curve | None:
         """The straight way to the pre-grasp, if it is free."""
-        return self._reach_planner.straight(self._x_start, way.x_pregrasp)
+        return self.straight(way.x_pregrasp)
 
     def completed(self, way: Way) -> Goal | None:
         """The same with its lift and what it costs; a failure is counted."""
@@ -194,7 +175,7 @@ class PickTask:
             self.reasons["no straight lift"] += 1
             return None
         clearance_m = self._hands[grasp.hand].clearance_m(grasp.world_T_tcp, ENOUGH_CLEARANCE_M)
-        balance_m = self._polygon.com_margin_m(self._model.com(way.q))
+        balance_m = self.robot.polygon.com_margin_m(self._model.com(way.q))
         cost = (
             way.candidate.cost
             + CLEARANCE_COST * max(0.0, 1.0 - clearance_m / ENOUGH_CLEARANCE_M)
@@ -204,10 +185,7 @@ class PickTask:
 
     def detour(self, goal: Goal) -> Curve | None:
         """A way around what is between here and the pre-grasp."""
-        groups = self._model.description.groups
-        joints = (*groups[f"{goal.grasp.hand}_arm"], *groups["torso"])
-        moving = [self._space.index(joint) for joint in joints]
-        curve = self._reach_planner.plan(self._x_start, goal.way.x_pregrasp, moving, self._rng)
+        curve = self.path(goal.way.x_pregrasp, [goal.grasp.hand], self._rng)
         if curve is None:
             self.reasons["no path to the pre-grasp"] += 1
         return curve
@@ -215,7 +193,7 @@ class PickTask:
     def liftable(self, goal: Goal) -> Goal | None:
         """The goal with a lift that is free, farther from joint limits if need be; a failure is counted."""
         lift_scene = self._lift_scene(goal.grasp, self._grasp_planner(goal.grasp.hand)[0])
-        planner = self._planner(lift_scene, 0.0)
+        planner = self.planner_in(lift_scene, reserve_m=0.0)
         if planner.curve_is_free(goal.lift):
             return goal
         again = self._lift(goal.way, LINE_RESERVE_RAD)
@@ -229,83 +207,55 @@ class PickTask:
         request, target, reason = self._request, self._target.name, ConcessionReason
         links = self._model.description.grippers[goal.grasp.hand].touch_links
         under = under_foot_of(self._target, request.scene)
-        near = start_concessions(self._model, request.scene, self._reach_scene, request.q_start, "reach")
         held = self._held_scene(goal.grasp, request.scene)
         grasped = touching(links, [target], reason.GRASPED_OBJECT, "approach")
         carried = touching([target], under, reason.SUPPORT_OF_HELD_OBJECT, "lift")
         steps = [
-            self._step("reach", reach, REACH_PACE, request.scene, near),
-            self._step("approach", goal.way.approach, CARTESIAN_PACE, request.scene, grasped),
-            self._step("lift", goal.lift, CARTESIAN_PACE, held, carried),
+            self.first_step("reach", reach, REACH_PACE),
+            self.step("approach", goal.way.approach, CARTESIAN_PACE, grasped),
+            self.step("lift", goal.lift, CARTESIAN_PACE, carried, held),
         ]
         if any(step is None for step in steps):
             self.reasons["legs cannot follow"] += 1
             return None
         first, second, third = (step for step in steps if step is not None)
-        start = lead_in(first.trajectory, self._request.q_start, self._model.acceleration)
-        first = dataclasses.replace(first, trajectory=start)
         return PickPlan(goal.grasp, first, second, third, self.considered)
 
     def _lift(self, way: Way, reserve_rad: float = 0.0) -> Curve | None:
         grasp = way.candidate.grasp
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
-        ik = self._ik_of(grasp.hand)
+        ik = self.ik_of(grasp.hand)
         up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
-        return None if up is None else PolynomialCurve(self._gazing(up, way.gaze))
+        return None if up is None else PolynomialCurve(self.looking(self.space.from_many(up), way.gaze))
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp
-        ik = self._ik_of(grasp.hand)
+        ik = self.ik_of(grasp.hand)
         _, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
-        if not near.is_free(self._space.from_q(first.q)):
+        if not near.is_free(self.space.from_q(first.q)):
             return "collision at the grasp"
         pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
         back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
-        points = self._gazing(back[::-1], gaze)
-        if not self._reach_planner.is_free(points[0]):
+        points = self.looking(self.space.from_many(back[::-1]), gaze)
+        if not self.planner.is_free(points[0]):
             return "collision before the approach"
         approach = PolynomialCurve(points)
         if not near.curve_is_free(approach):
             return "approach collides"
         return Way(candidate, first.q, gaze, approach, points[0])
 
-    def _gazing(self, configurations: Array, gaze: Mapping[str, float]) -> Array:
-        """Free coordinates of configurations, with the head turned to the target."""
-        x = self._space.from_many(configurations)
-        for joint, angle in gaze.items():
-            x[:, self._space.index(joint)] = angle
-        return x
-
-    def _planner(
-        self, scene: PlanningScene, reserve_m: float, like: PathPlanner | None = None
-    ) -> PathPlanner:
-        before = None if like is None else like.judge
-        judge = validity(self._model, self._request.stance, scene, reserve_m, SELF_MARGIN_M, before)
-        return PathPlanner(self._model, self._space, judge)
-
-    def _step(
-        self,
-        name: str,
-        curve: Curve,
-        pace: Pace,
-        scene: PlanningScene,
-        concessions: tuple[Concession, ...],
-    ) -> PlannedStep | None:
-        trajectory = time_in_balance(self._model, self._space, self._request.stance, curve, pace)
-        return None if trajectory is None else PlannedStep(name, trajectory, scene, concessions)
-
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
         """Scene and planner in which this hand may touch the target."""
         if hand not in self._grasp_planners:
             links = self._model.description.grippers[hand].touch_links
             scene = self._request.scene.allowing((link, self._target.name) for link in links)
-            self._grasp_planners[hand] = scene, self._planner(scene, self._reserve_m, self._reach_planner)
+            self._grasp_planners[hand] = scene, self.planner_in(scene, self.planner)
         return self._grasp_planners[hand]
 
     def _lift_scene(self, grasp: Grasp, scene: PlanningScene) -> PlanningScene:
@@ -318,9 +268,6 @@ class PickTask:
         gripper = self._model.description.grippers[grasp.hand]
         tcp_T_object = poses.inverse(grasp.world_T_tcp) @ self._target.world_T_object
         return scene.with_attached(self._target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
-
-    def _ik_of(self, hand: Hand) -> InverseKinematics:
-        return inverse_kinematics(self._model, self._request.stance, hand)
 
     def _shoulder(self, hand: Hand) -> Array:
         joint = self._model.pin.getJointId(self._model.description.groups[f"{hand}_arm"][1])

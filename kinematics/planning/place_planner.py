@@ -15,7 +15,7 @@ from kinematics.collision.wide_berth import wide_berth
 from kinematics.model.robot_model import RobotModel
 from kinematics.planning.place_task import PlaceGoal, PlaceTask
 from kinematics.requests.place import PlacePlan, PlaceRequest
-from kinematics.requests.step import NoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from kinematics.standing.reserves import LEAST_RESERVE_M
 from kinematics.standing.reserves import MOVING_RESERVE_M as RESERVE_M
 
@@ -76,7 +76,7 @@ class PlacePlanner:
         most = FEW_BLOCKED if request.quick else MOST_BLOCKED
         blocked: list[PlaceGoal] = []
         for goal in task.goals():
-            straight = task.straight(goal)
+            straight = task.straight(goal.x_hover)
             if straight is not None and (plan := task.timed(goal, straight)) is not None:
                 return plan
             if straight is None and len(blocked) < most:
@@ -98,4 +98,5 @@ def _no_plan(request: PlaceRequest, task: PlaceTask, considered: int) -> NoPlan:
         f"no way to put the {request.held} down was found",
         dict(task.reasons) or {"no free spot": 1},
         {"spots": float(len(request.spots)), "considered": float(considered)},
+        WhyNoPlan.NO_SPOT_IS_REACHED,
     )

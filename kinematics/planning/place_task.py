@@ -3,34 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.collision.relaxed_start import relaxed_at, start_concessions
-from kinematics.collision.validity import hand_judge, validity
+from kinematics.collision.validity import hand_judge
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.gaze import gaze_joints
-from kinematics.ik.pointing import link_moved_by
 from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult
-from kinematics.ik.solver import LINE_RESERVE_RAD, along_line, inverse_kinematics
+from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
-from kinematics.motion.lead_in import lead_in
 from kinematics.planning.path_planner import PathPlanner
-from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, SELF_MARGIN_M
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
 from kinematics.requests.place import PlacePlan, PlaceRequest, Spot
-from kinematics.requests.step import PlannedStep
 from kinematics.scene.concessions import Concession, ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import LEAST_RESERVE_M
-from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace
 
 # Down at some 4 cm/s, gently: a hand that is to feel a touch must not feel its own inertia.
@@ -68,8 +62,8 @@ class PlaceGoal:
     lower_scene: PlanningScene
 
 
-class PlaceTask:
-    """The state of one planning problem.
+class PlaceTask(PlanningTask):
+    """One thing to be put down: its candidates are poses.
 
     Args:
         model: The robot.
@@ -80,8 +74,7 @@ class PlaceTask:
         before: A task about the same poses; what it found out about them is not searched again.
 
     Attributes:
-        reasons: How many poses failed for which reason so far.
-        considered: How many poses were looked at so far.
+        hand: The hand that holds the object.
     """
 
     def __init__(
@@ -92,15 +85,12 @@ class PlaceTask:
         other_seeds: int | None = None,
         before: PlaceTask | None = None,
     ) -> None:
-        self._model, self._request, self._reserve_m = model, request, reserve_m
+        super().__init__(model, request, reserve_m)
+        self._request = request
         self._body = request.scene.attached[request.held]
         frames = model.description.tcp_frames
         self.hand: Hand = next(hand for hand, frame in frames.items() if frame == self._body.frame)
-        self._space = free_coordinates(model, request.stance)
-        self._scene = relaxed_at(model, request.scene, request.q_start, reserve_m)
-        self._planner = self._planner_in(self._scene)
-        self._x_start = self._space.start(request.q_start)
-        self._ik = inverse_kinematics(model, request.stance, self.hand)
+        self._ik = self.ik_of(self.hand)
         self._reached: dict[tuple[bytes, bytes], IkResult] = {} if before is None else before._reached
         self._seed = self._seed_posture()
         self._rng = np.random.default_rng(request.seed)
@@ -111,8 +101,6 @@ class PlaceTask:
         self._hand_alone = hand_judge(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
         self._touching: dict[tuple[str, ...], tuple[PlanningScene, PathPlanner]] = {}
         self._object_T_tcp = poses.inverse(self._body.frame_T_object)
-        self.reasons: Counter[str] = Counter()
-        self.considered = 0
 
     def turned(self, spot: Spot) -> Iterator[Transform]:
         """The spot's pose with several turns about the vertical, the hand's natural heading first."""
@@ -166,48 +154,38 @@ class PlaceTask:
         self.reasons[why] += 1
         return None
 
-    def straight(self, goal: PlaceGoal) -> Curve | None:
-        """The straight way to the hover pose, if it is free."""
-        return self._planner.straight(self._x_start, goal.x_hover)
-
     def detour(self, goal: PlaceGoal) -> Curve | None:
         """A way around what is between here and the hover pose."""
-        groups = self._model.description.groups
-        moving = [self._space.index(joint) for joint in (*groups[f"{self.hand}_arm"], *groups["torso"])]
-        curve = self._planner.plan(self._x_start, goal.x_hover, moving, self._rng)
+        curve = self.path(goal.x_hover, [self.hand], self._rng)
         if curve is None:
             self.reasons["no path over the spot"] += 1
         return curve
 
     def timed(self, goal: PlaceGoal, transfer: Curve) -> PlacePlan | None:
         """Give both motions their time."""
-        request, model = self._request, self._model
-        first = time_in_balance(model, self._space, request.stance, transfer, REACH_PACE)
-        second = time_in_balance(model, self._space, request.stance, goal.lower, LOWER_PACE)
+        spot = self._request.spots[goal.spot]
+        first = self.first_step("transfer", transfer, REACH_PACE)
+        second = self.step("lower", goal.lower, LOWER_PACE, self._standing(spot))
         if first is None or second is None:
             self.reasons["legs cannot follow"] += 1
             return None
-        first = lead_in(first, request.q_start, model.acceleration)
         return PlacePlan(
             hand=self.hand,
             spot=goal.spot,
             world_T_object=goal.world_T_object,
-            transfer=PlannedStep("transfer", first, request.scene, self._near_at_start()),
-            lower=PlannedStep("lower", second, request.scene, self._standing(request.spots[goal.spot])),
+            transfer=first,
+            lower=second,
             considered=self.considered,
         )
 
     def judged_here(self, plan: PlacePlan, spot: Spot) -> PlacePlan:
         """A plan that was made with wider margins, with this task's scenes to be checked in."""
+        scene, near = self._request.scene, self.start_concessions("transfer")
         return replace(
             plan,
-            transfer=replace(plan.transfer, scene=self._request.scene, concessions=self._near_at_start()),
-            lower=replace(plan.lower, scene=self._request.scene, concessions=self._standing(spot)),
+            transfer=replace(plan.transfer, scene=scene, concessions=near),
+            lower=replace(plan.lower, scene=scene, concessions=self._standing(spot)),
         )
-
-    def _near_at_start(self) -> tuple[Concession, ...]:
-        request = self._request
-        return start_concessions(self._model, request.scene, self._scene, request.q_start, "transfer")
 
     def _standing(self, spot: Spot) -> tuple[Concession, ...]:
         """What the object may touch where it is put."""
@@ -216,8 +194,8 @@ class PlaceTask:
     def _near(self, spot: Spot) -> tuple[PlanningScene, PathPlanner]:
         """Scene and judge with what the object may touch at a spot; made once."""
         if spot.touches not in self._touching:
-            scene = self._scene.allowing((self._request.held, name) for name in spot.touches)
-            self._touching[spot.touches] = scene, self._planner_in(scene, self._planner)
+            scene = self.scene.allowing((self._request.held, name) for name in spot.touches)
+            self._touching[spot.touches] = scene, self.planner_in(scene, self.planner)
         return self._touching[spot.touches]
 
     def _solve(self, index: int, spot: Spot, world_T_object: Transform, seed: Array) -> PlaceGoal | str:
@@ -227,7 +205,7 @@ class PlaceTask:
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the spot"
         touching, near = self._near(spot)
-        if not near.is_free(self._space.from_q(first.q)):
+        if not near.is_free(self.space.from_q(first.q)):
             return "collision at the spot"
         hover = poses.translation(0.0, 0.0, spot.hover_m) @ placed
         up = self._line(first.q, placed, hover)
@@ -237,8 +215,8 @@ class PlaceTask:
         if down is None:
             return "no straight way down"
         gaze = gaze_joints(self._model, down[0], world_T_object[:3, 3])
-        points = self._gazing(down, gaze)
-        if not self._planner.is_free(points[0]):
+        points = self.looking(self.rows(down), gaze)
+        if not self.planner.is_free(points[0]):
             return "collision above the spot"
         lower = PolynomialCurve(points)
         if not near.curve_is_free(lower):
@@ -274,29 +252,17 @@ class PlaceTask:
         away = self._line(q, placed, back)
         if away is None:
             return False
-        released = self._scene.with_detached(self._request.held, world_T_object)
+        released = self.scene.with_detached(self._request.held, world_T_object)
         released = released.allowing((link, self._request.held) for link in self._body.touch_links)
-        curve = PolynomialCurve(self._gazing(away, gaze))
-        if not self._planner_in(released).curve_is_free(curve):
+        curve = PolynomialCurve(self.looking(self.rows(away), gaze))
+        if not self.planner_in(released).curve_is_free(curve):
             return False
-        model, stance = self._model, self._request.stance
-        return time_in_balance(model, self._space, stance, curve, CARTESIAN_PACE) is not None
-
-    def _gazing(self, configurations: Array, gaze: dict[str, float]) -> Array:
-        x = np.array([self._space.from_q(q) for q in configurations])
-        for joint, angle in gaze.items():
-            x[:, self._space.index(joint)] = angle
-        return x
-
-    def _planner_in(self, scene: PlanningScene, like: PathPlanner | None = None) -> PathPlanner:
-        before = None if like is None else like.judge
-        judge = validity(self._model, self._request.stance, scene, self._reserve_m, SELF_MARGIN_M, before)
-        return PathPlanner(self._model, self._space, judge)
+        return self.step("retreat", curve, CARTESIAN_PACE) is not None
 
     def _seed_posture(self) -> Array:
         """Home, which keeps elbows where they belong, with the other arm where it is."""
         model, request = self._model, self._request
-        q = model.home_over(request.stance)
+        q = self.robot.q_home
         other = 7 + model.group("left_arm" if self.hand == "right" else "right_arm")
         q[other] = request.q_start[other]
         return q

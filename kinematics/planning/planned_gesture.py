@@ -5,25 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from kinematics.arrays import Array
-from kinematics.collision.relaxed_start import relaxed_at, start_concessions
-from kinematics.collision.validity import validity
 from kinematics.collision.wide_berth import widened
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, RoundedPolyline
-from kinematics.motion.lead_in import lead_in
 from kinematics.planning.gesture_task import GestureTask, Wish
-from kinematics.planning.path_planner import PathPlanner
+from kinematics.planning.planning_task import PlanningTask
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MovePlan
-from kinematics.requests.step import NoPlan, PlannedStep
-from kinematics.scene.planning_scene import PlanningScene
-from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinates
+from kinematics.requests.step import NoPlan
 from kinematics.standing.reserves import MOVING_RESERVE_M as RESERVE_M
-from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace
 
 GESTURE_PACE = Pace(velocity=0.5, acceleration=0.7)
@@ -33,35 +25,25 @@ _ROUNDED = 0.06
 
 
 class PlannedGesture(GestureTask):
-    """A gesture whose postures are judged like any goal, and reached by the path planner.
-
-    Attributes:
-        space: The free coordinates.
-        scene: The scene, with margins that the start keeps.
-        planner: Of paths in that scene.
-    """
+    """A gesture whose postures are judged like any goal, and reached by the path planner."""
 
     def __init__(
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
     ) -> None:
         super().__init__(model, q_start, request, hand, seed)
-        self.space: FreeCoordinates = free_coordinates(model, request.stance)
-        self._given = request.scene
-        self.scene: PlanningScene = relaxed_at(model, request.scene, q_start, RESERVE_M)
-        self.planner = PathPlanner(
-            model, self.space, validity(model, request.stance, self.scene, RESERVE_M, RESERVE_M)
-        )
+        self._task = PlanningTask(model, request, RESERVE_M, RESERVE_M)
 
     def reach(self, name: str, wish: Wish) -> MovePlan | NoPlan:
         """Plan to a posture that is as wished for, and free."""
         reasons: Counter[str] = Counter()
-        moving = [self.space.index(joint) for joint in self.arm.joints]
+        task = self._task
+        moving = [task.space.index(joint) for joint in self.arm.joints]
         for goal in self._postures(wish, reasons):
-            x_start, x_goal = self.space.start(self._q_start), self.space.from_q(goal)
-            if not self.planner.is_free(x_goal):
+            x_goal = task.space.from_q(goal)
+            if not task.planner.is_free(x_goal):
                 reasons["collision or lost balance"] += 1
                 continue
-            curve = self.planner.plan(x_start, x_goal, moving, self._rng)
+            curve = task.planner.plan(task.x_start, x_goal, moving, self._rng)
             if curve is None:
                 reasons["no path"] += 1
                 continue
@@ -70,25 +52,23 @@ class PlannedGesture(GestureTask):
 
     def swing(self, postures: Sequence[Array]) -> MovePlan | NoPlan:
         """Plan to go back and forth, if nothing is in the way."""
-        points = np.array([self.space.from_q(q) for q in postures])
-        curve = RoundedPolyline(points, self.space.weights, _ROUNDED)
-        if not self.planner.curve_is_free(curve):
+        curve = RoundedPolyline(self._task.rows(postures), self._task.space.weights, _ROUNDED)
+        if not self._task.planner.curve_is_free(curve):
             return NoPlan("the raised hand has no room to swing", {"collision": 1})
         return self._timed("swing", curve, SWING_PACE)
 
     def room_for(self, sway_m: float) -> Callable[[Array], bool]:
         """Whether a configuration keeps so much more than their margins from all movable things."""
-        wide = widened(self.scene, sway_m)
-        if wide is self.scene:
+        task = self._task
+        wide = widened(task.scene, sway_m)
+        if wide is task.scene:
             return lambda _: True
-        judge = validity(self._model, self._stance, wide, RESERVE_M, RESERVE_M)
-        return lambda q: judge.points_are_free(self.space.from_q(q)[None, :])
+        judge = task.planner_in(wide).judge
+        return lambda q: judge.points_are_free(task.space.from_q(q)[None, :])
 
     def _timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
         """Give a free curve its time."""
-        trajectory = time_in_balance(self._model, self.space, self._stance, curve, pace)
-        if trajectory is None:
+        step = self._task.first_step(name, curve, pace)
+        if step is None:
             return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
-        trajectory = lead_in(trajectory, self._q_start, self._model.acceleration)
-        near = start_concessions(self._model, self._given, self.scene, self._q_start, name)
-        return MovePlan(PlannedStep(name, trajectory, self._given, near))
+        return MovePlan(step)

@@ -17,7 +17,7 @@ from kinematics.collision.validity import validity
 from kinematics.geometry import poses
 from kinematics.ik.solver import LINE_RESERVE_RAD, InverseKinematics, along_line, inverse_kinematics
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.path_planner import PathPlanner
@@ -43,14 +43,14 @@ def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPla
     scene = relaxed_at(model, around, request.q_start)
     concessions = in_step(request.concessions, "retreat")
     concessions += start_concessions(model, around, scene, request.q_start, "retreat")
-    space = free_coordinates(model, request.stance)
+    robot = StandingRobot.of(model, request.stance)
     why = NoPlan("the hand cannot be drawn back at all", {"no way": 1})
     for first in range(len(request.shares)):
-        found = _configurations(model, replace(request, shares=request.shares[first:]), scene)
+        found = _configurations(robot, replace(request, shares=request.shares[first:]), scene)
         if isinstance(found, NoPlan):
             return found if first == 0 else why
         curve = PolynomialCurve(found)
-        trajectory = time_in_balance(model, space, request.stance, curve, CARTESIAN_PACE)
+        trajectory = time_in_balance(robot, curve, CARTESIAN_PACE)
         if trajectory is not None:
             trajectory = lead_in(trajectory, request.q_start, model.acceleration)
             return MovePlan(PlannedStep("retreat", trajectory, request.scene, concessions))
@@ -58,12 +58,11 @@ def plan_retreat(model: RobotModel, request: RetreatRequest) -> MovePlan | NoPla
     return why
 
 
-def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningScene) -> Array | NoPlan:
+def _configurations(robot: StandingRobot, request: RetreatRequest, scene: PlanningScene) -> Array | NoPlan:
     """Free coordinates along the way, shape (n, size)."""
-    ik = inverse_kinematics(model, request.stance, request.hand)
-    space = free_coordinates(model, request.stance)
-    planner = PathPlanner(model, space, validity(model, request.stance, scene))
-    polygon = SupportPolygon(request.stance, model.description.soles)
+    model, space = robot.model, free_coordinates(robot)
+    ik = inverse_kinematics(robot, request.hand)
+    planner = PathPlanner(model, space, validity(robot, scene))
     ways = list(itertools.product(request.shares, request.turns_rad))
     best: tuple[float, Array] | None = None
     for share, turn_rad in ways:
@@ -76,7 +75,7 @@ def _configurations(model: RobotModel, request: RetreatRequest, scene: PlanningS
         # A single way is left to the checker, which says what is hit; so is the start, where the robot is.
         if len(ways) > 1 and not all(planner.is_free(row) for row in x[1:]):
             continue
-        margin_m = min(polygon.com_margin_m(model.com(row)) for row in q[1:])
+        margin_m = min(robot.polygon.com_margin_m(model.com(row)) for row in q[1:])
         if margin_m >= request.steady_m:
             return x
         if best is None or margin_m > best[0]:

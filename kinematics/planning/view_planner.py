@@ -7,30 +7,24 @@ the most telling first, until one is free and can be reached. (A next best view,
 from __future__ import annotations
 
 import itertools
-from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.collision.relaxed_start import relaxed_at, start_concessions
-from kinematics.collision.validity import validity
 from kinematics.geometry import poses
-from kinematics.ik.gaze import gaze_joints
-from kinematics.ik.picture import in_picture
-from kinematics.ik.pointing import elbow_frame
+from kinematics.ik.arm_frames import elbow_frame
+from kinematics.ik.gaze import gaze_joints, in_picture
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
-from kinematics.motion.lead_in import lead_in
-from kinematics.planning.path_planner import PathPlanner
-from kinematics.planning.planning_task import REACH_PACE
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.planning.planning_task import REACH_PACE, PlanningTask
 from kinematics.requests.move import MovePlan
-from kinematics.requests.step import NoPlan, PlannedStep
+from kinematics.requests.step import NoPlan
 from kinematics.requests.view import ViewRequest
 from kinematics.scene.line_of_sight import hidden, near_line
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import MOVING_RESERVE_M as RESERVE_M
-from kinematics.timing.balanced_timing import time_in_balance
 
 # Of the pelvis from where it is at home: ahead, to the left, up.
 SHIFTS_M = (
@@ -67,43 +61,35 @@ class ViewPlanner:
 
     def plan(self, request: ViewRequest) -> MovePlan | NoPlan:
         """Plan to the posture that shows most, or say why none does."""
-        model = self._model
-        space = free_coordinates(model, request.stance)
-        scene = relaxed_at(model, request.scene, request.q_start, RESERVE_M)
-        planner = PathPlanner(model, space, validity(model, request.stance, scene, RESERVE_M, RESERVE_M))
-        views = self._views(request)
+        task = PlanningTask(self._model, request, RESERVE_M, RESERVE_M)
+        views = self._views(task.robot, request)
         if not views:
             return NoPlan("no posture shows what was not seen yet", {"hidden from everywhere": 1})
-        arms = [joint for hand in HANDS for joint in model.description.groups[f"{hand}_arm"]]
-        moving = [space.index(joint) for joint in (*arms, *model.description.groups["torso"])]
-        rng, start = np.random.default_rng(request.seed), space.start(request.q_start)
-        reasons: Counter[str] = Counter()
-        free = (view for view in views[:MOST_JUDGED] if planner.is_free(view.x))
+        rng = np.random.default_rng(request.seed)
+        free = (view for view in views[:MOST_JUDGED] if task.planner.is_free(view.x))
         for view in itertools.islice(free, MOST_PLANNED):
-            curve = planner.plan(start, view.x, moving, rng)
+            curve = task.path(view.x, HANDS, rng)
             if curve is None:
-                reasons["no path"] += 1
+                task.reasons["no path"] += 1
                 continue
-            trajectory = time_in_balance(model, space, request.stance, curve, REACH_PACE)
-            if trajectory is None:
-                reasons["legs cannot follow"] += 1
+            step = task.first_step("peer", curve, REACH_PACE)
+            if step is None:
+                task.reasons["legs cannot follow"] += 1
                 continue
-            trajectory = lead_in(trajectory, request.q_start, model.acceleration)
-            near = start_concessions(model, request.scene, scene, request.q_start, "peer")
-            return MovePlan(PlannedStep("peer", trajectory, request.scene, near))
+            return MovePlan(step)
         return NoPlan(
             "no posture that shows what was not seen yet can be taken",
-            dict(reasons) or {"collision or lost balance": min(len(views), MOST_JUDGED)},
+            dict(task.reasons) or {"collision or lost balance": min(len(views), MOST_JUDGED)},
             {"views": float(len(views))},
         )
 
-    def _views(self, request: ViewRequest) -> list[_View]:
+    def _views(self, robot: StandingRobot, request: ViewRequest) -> list[_View]:
         """Postures that show something, the most telling first."""
-        model, space = self._model, free_coordinates(self._model, request.stance)
+        model, space = self._model, free_coordinates(robot)
         camera = model.description.camera
         torso = model.description.groups["torso"]
         turning = next((joint for joint in torso if joint != camera.lean_joint), None)
-        home = model.home_over(request.stance)
+        home = robot.q_home
         arms = 7 + np.concatenate([model.group(f"{hand}_arm") for hand in HANDS])
         home[arms] = request.q_start[arms]
         x_home = space.from_q(home)

@@ -4,45 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.arrays import Array, Sealed
 from kinematics.model.robot_description import HANDS, Hand
-from kinematics.model.stance import Stance
 from kinematics.requests.grasp import Grasp
-from kinematics.requests.step import PlannedStep
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
 from kinematics.scene.opening_path import OpeningPath
-from kinematics.scene.planning_scene import PlanningScene
-
-
-@dataclass(frozen=True, slots=True)
-class HandleRequest(Sealed):
-    """Plan to take hold of a handle, with the whole way of it within reach.
-
-    Attributes:
-        q_start: Configuration to start from, shape (nq,).
-        stance: Where the feet stand.
-        scene: What is around; holds the handle and what it opens.
-        handle: Name of the handle's bar in the scene.
-        parts: Names of everything that moves with it, the bar included.
-        path: Where the handle goes.
-        s_from, s_to: How far it is open, and shall be; rad or m.
-        hands: Hands that may be used, the better one first.
-        excluded: Labels of grasps, as "hand label", that were tried in vain.
-        seed: Of everything random in the plan.
-        pushed: The name of the front, when the hand shall push against that instead of holding the bar.
-    """
-
-    q_start: Array
-    stance: Stance
-    scene: PlanningScene
-    handle: str
-    parts: tuple[str, ...]
-    path: OpeningPath
-    s_from: float
-    s_to: float
-    hands: tuple[Hand, ...] = HANDS
-    excluded: frozenset[str] = frozenset()
-    seed: int = 0
-    pushed: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,3 +28,29 @@ class HandlePlan:
     approach: PlannedStep
     farthest_s: float
     considered: int
+
+
+@dataclass(frozen=True, slots=True)
+class HandleRequest(Request[HandlePlan | NoPlan]):
+    """Plan to take hold of a handle, with the whole way of it within reach.
+
+    Attributes:
+        handle: Name of the handle's bar in the scene, which holds what it opens, too.
+        parts: Names of everything that moves with it, the bar included.
+        path: Where the handle goes.
+        s_from, s_to: How far it is open, and shall be; rad or m.
+        hands: Hands that may be used, the better one first.
+        excluded: Labels of grasps, as "hand label", that were tried in vain.
+        seed: Of everything random in the plan.
+        pushed: The name of the front, when the hand shall push against that instead of holding the bar.
+    """
+
+    handle: str
+    parts: tuple[str, ...]
+    path: OpeningPath
+    s_from: float
+    s_to: float
+    hands: tuple[Hand, ...] = HANDS
+    excluded: frozenset[str] = frozenset()
+    seed: int = 0
+    pushed: str = ""

@@ -5,31 +5,30 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from kinematics.arrays import Array, Sealed
 from kinematics.model.robot_description import Hand
-from kinematics.model.stance import Stance
-from kinematics.requests.step import PlannedStep
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
 from kinematics.scene.concessions import Concession
-from kinematics.scene.planning_scene import PlanningScene
 
 
 @dataclass(frozen=True, slots=True)
-class MoveRequest(Sealed):
+class MovePlan:
+    """One motion."""
+
+    step: PlannedStep
+
+
+@dataclass(frozen=True, slots=True)
+class MoveRequest(Request[MovePlan | NoPlan]):
     """Plan a motion to body joint positions; joints left out go home.
 
     Attributes:
-        q_start: Configuration to start from, shape (nq,).
-        stance: Where the feet stand.
-        scene: What is around.
         joints: Goal positions of some body joints, rad.
         keep_others: Joints left out stay where they are instead of going home.
         pelvis_m: How far the pelvis goes beside, in the world, shape (3,); nothing for a welded base.
         seed: Of everything random in the plan.
     """
 
-    q_start: Array
-    stance: Stance
-    scene: PlanningScene
     joints: Mapping[str, float] = field(default_factory=dict)
     keep_others: bool = False
     pelvis_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -37,13 +36,10 @@ class MoveRequest(Sealed):
 
 
 @dataclass(frozen=True, slots=True)
-class RetreatRequest(Sealed):
+class RetreatRequest(Request[MovePlan | NoPlan]):
     """Plan a straight motion of one TCP along its own axis or the world's, e.g. back out of a grasp.
 
     Attributes:
-        q_start: Configuration to start from, shape (nq,).
-        stance: Where the feet stand.
-        scene: What is around.
         hand: Hand to move.
         world_offset_m: Where the TCP goes, relative to where it is, in the world, shape (3,).
         steady_m: CoM margin that is wanted along the way; of the ways that are allowed, the first that has
@@ -53,19 +49,9 @@ class RetreatRequest(Sealed):
         concessions: What may touch on the way: what the fingers held, what carries a held object.
     """
 
-    q_start: Array
-    stance: Stance
-    scene: PlanningScene
     hand: Hand
     world_offset_m: tuple[float, float, float]
     steady_m: float = 0.05
     shares: tuple[float, ...] = (1.0,)
     turns_rad: tuple[float, ...] = (0.0,)
     concessions: tuple[Concession, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class MovePlan:
-    """One motion."""
-
-    step: PlannedStep

@@ -4,37 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.arrays import Array, Sealed
 from kinematics.model.robot_description import HANDS, Hand
-from kinematics.model.stance import Stance
 from kinematics.requests.grasp import Grasp
-from kinematics.requests.step import PlannedStep
-from kinematics.scene.planning_scene import PlanningScene
-
-
-@dataclass(frozen=True, slots=True)
-class PickRequest(Sealed):
-    """Plan reach, approach and lift for one object of the scene.
-
-    Attributes:
-        q_start: Configuration to start from (the commanded reference), shape (nq,).
-        stance: Where the feet stand.
-        scene: What is around; holds the target.
-        target: Name of the object.
-        hands: Hands that may be used.
-        excluded: Labels of grasps, as "hand label", that were tried in vain.
-        lift_m: How far to lift, straight up.
-        seed: Of everything random in the plan.
-    """
-
-    q_start: Array
-    stance: Stance
-    scene: PlanningScene
-    target: str
-    hands: tuple[Hand, ...] = HANDS
-    excluded: frozenset[str] = frozenset()
-    lift_m: float = 0.13
-    seed: int = 0
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,3 +25,22 @@ class PickPlan:
     approach: PlannedStep
     lift: PlannedStep
     considered: int
+
+
+@dataclass(frozen=True, slots=True)
+class PickRequest(Request[PickPlan | NoPlan]):
+    """Plan reach, approach and lift for one object of the scene.
+
+    Attributes:
+        target: Name of the object, which the scene holds.
+        hands: Hands that may be used.
+        excluded: Labels of grasps, as "hand label", that were tried in vain.
+        lift_m: How far to lift, straight up.
+        seed: Of everything random in the plan.
+    """
+
+    target: str
+    hands: tuple[Hand, ...] = HANDS
+    excluded: frozenset[str] = frozenset()
+    lift_m: float = 0.13
+    seed: int = 0

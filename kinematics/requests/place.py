@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.arrays import Array, Sealed
+from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import Hand
-from kinematics.model.stance import Stance
-from kinematics.requests.step import PlannedStep
-from kinematics.scene.planning_scene import PlanningScene
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,14 +50,11 @@ class Spot(Sealed):
 
 
 @dataclass(frozen=True, slots=True)
-class PlaceRequest(Sealed):
+class PlaceRequest(Request[PlacePlan | NoPlan]):
     """Plan to bring a held object over one of several spots, down onto it, and the hand away from it.
 
     Attributes:
-        q_start: Configuration to start from (the commanded reference), shape (nq,).
-        stance: Where the feet stand.
-        scene: What is around; the object is an attached body of it.
-        held: Name of the attached body.
+        held: Name of the object, an attached body of the scene.
         spots: Where it may go, the best first.
         retreat_m: How far the hand is drawn back along its approach, at the end.
         quick: Look no longer than it takes where there is a plan in plain view; a "no" says little then. For
@@ -66,9 +62,6 @@ class PlaceRequest(Sealed):
         seed: Of everything random in the plan.
     """
 
-    q_start: Array
-    stance: Stance
-    scene: PlanningScene
     held: str
     spots: tuple[Spot, ...]
     retreat_m: float = 0.10

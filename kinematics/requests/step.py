@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 
 from kinematics.motion.trajectory import Trajectory
 from kinematics.requests.check import CheckRequest
@@ -33,16 +34,27 @@ class PlannedStep:
         return CheckRequest(self.trajectory, self.scene, self.concessions)
 
 
+class WhyNoPlan(Enum):
+    """Why there is no plan, as far as programs have to tell that apart; the value says it to people."""
+
+    NO_WAY = "no motion to the goal was found that meets nothing and keeps the balance"
+    NO_GRASP = "no grasp of the thing or handle was found that a hand can come to"
+    TOO_WIDE = "the thing is wider than any hand opens"
+    NO_SPOT_IS_REACHED = "the hand comes to none of the spots that were named with what it holds"
+
+
 @dataclass(frozen=True, slots=True)
 class NoPlan:
     """An honest "no".
 
     Attributes:
         message: One sentence for people.
-        reasons: How many candidates failed for which reason.
-        numbers: Figures behind the message, keys with their unit.
+        reasons: How many candidates failed for which reason, in words for people.
+        numbers: Figures behind the message, for people; keys with their unit.
+        why: What programs may decide by.
     """
 
     message: str
     reasons: Mapping[str, int]
     numbers: Mapping[str, float] = field(default_factory=dict)
+    why: WhyNoPlan = WhyNoPlan.NO_WAY

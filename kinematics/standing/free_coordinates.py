@@ -15,9 +15,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, as_float64
 from kinematics.model.robot_build import model_tree
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.stance_table import StanceTable
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.leg_ik import LegIk
 
 if TYPE_CHECKING:
@@ -42,15 +40,13 @@ class FreeCoordinates:
         weights: Of each coordinate in the length of a path, shape (size,).
     """
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
-        self._model = model
-        self._legs = LegIk(model, stance)
-        groups = model.description.groups
-        in_legs = {joint for name, members in groups.items() if name.endswith("_leg") for joint in members}
-        self.joints = tuple(joint for joint in model.joints if joint not in in_legs)
+    def __init__(self, robot: StandingRobot) -> None:
+        self._robot, self._model = robot, robot.model
+        model = robot.model
+        self._legs = robot.derived(LegIk)
+        self.joints = model.free_joints
         self._columns = 7 + model.indices(self.joints)
         self._mount = model.q_home[:7] if model.description.welded else None
-        self._stance = stance
         self.base_size = 0 if model.description.welded else 6
         self.size = self.base_size + len(self.joints)
         self.weights = np.ones(self.size)
@@ -59,7 +55,7 @@ class FreeCoordinates:
     @cached_property
     def home(self) -> Array:
         """The home posture over these feet, shape (size,)."""
-        return self.from_q(self._model.home_over(self._stance))
+        return self.from_q(self._robot.q_home)
 
     def index(self, joint: str) -> int:
         """Column of a joint in ``x``."""
@@ -144,7 +140,7 @@ class FreeCoordinates:
     def _flattened(self) -> tuple[Coordinates, Tree]:
         from kinematics.standing.model_coordinates import standing_coordinates
 
-        return standing_coordinates(self._model, self._stance), model_tree(self._model)
+        return standing_coordinates(self._robot), model_tree(self._model)
 
     def distance(self, a: Array, b: Array) -> float:
         """Weighted Euclidean distance of two points."""
@@ -152,5 +148,6 @@ class FreeCoordinates:
         return float(np.sqrt(step @ step))
 
 
-free_coordinates = StanceTable(FreeCoordinates)
-"""The free coordinates of a robot on a stance; made once while the same ones are asked for."""
+def free_coordinates(robot: StandingRobot) -> FreeCoordinates:
+    """The free coordinates of a robot where it stands; made once."""
+    return robot.derived(FreeCoordinates)

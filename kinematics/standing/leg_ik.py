@@ -18,7 +18,7 @@ from kinematics.errors import ModelError
 from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.numeric_leg import NumericLeg
 
 AXES = ("JointModelRZ", "JointModelRX", "JointModelRY", "JointModelRY", "JointModelRY", "JointModelRX")
@@ -45,14 +45,14 @@ class LegGeometry:
 
 
 class LegIk:
-    """The legs of a standing robot, for one stance; a welded robot has none.
+    """The legs of a standing robot; a welded one has none.
 
     Raises:
         ModelError: A leg is not a chain of six hinges.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
-        placed = dict(stance.soles)
+    def __init__(self, robot: StandingRobot) -> None:
+        model, placed = robot.model, dict(robot.stance.soles)
         self._legs = [
             _leg(model, f"{side}_leg", sole.frame, placed[sole.frame])
             for side in HANDS

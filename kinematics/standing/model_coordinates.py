@@ -5,33 +5,35 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.stance_table import StanceTable
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.tree import Tree
 from kinematics.standing.flat_coordinates import Coordinates, Limits, joint_limits, plain_coordinates
-from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.leg_ik import LegIk
 from kinematics.standing.reserves import COM_RESERVE_M
 
 
-def _standing_coordinates(model: RobotModel, stance: Stance) -> Coordinates:
-    legs = LegIk(model, stance).geometry
-    space = free_coordinates(model, stance)
+def standing_coordinates(robot: StandingRobot) -> Coordinates:
+    """The coordinates of ``FreeCoordinates``, column by column.
+
+    Raises:
+        ModelError: A leg has no closed form.
+    """
+    return robot.derived(_standing_coordinates)
+
+
+def _standing_coordinates(robot: StandingRobot) -> Coordinates:
+    legs = robot.derived(LegIk).geometry
+    model = robot.model
     return Coordinates(
         floating=1,
-        columns=(7 + model.indices(space.joints)).astype(np.int64),
-        bodies=np.array([model.pin.getJointId(joint) for joint in space.joints], np.int64),
+        columns=(7 + model.indices(model.free_joints)).astype(np.int64),
+        bodies=np.array([model.pin.getJointId(joint) for joint in model.free_joints], np.int64),
         leg_bodies=np.array([leg.joints for leg in legs], np.int64).reshape(-1, 6),
         hip=np.array([leg.hip_m for leg in legs]).reshape(-1, 3),
         bones=np.array([(leg.thigh_m, leg.shin_m) for leg in legs]).reshape(-1, 2),
         foot_R=np.array([leg.foot_R for leg in legs]).reshape(-1, 3, 3),
         ankle=np.array([leg.ankle_m for leg in legs]).reshape(-1, 3),
     )
-
-
-standing_coordinates = StanceTable(_standing_coordinates)
-"""The coordinates of ``FreeCoordinates``, column by column; ``ModelError`` where a leg has no closed form."""
 
 
 def mounted_coordinates(model: RobotModel, tree: Tree) -> Coordinates:
@@ -46,15 +48,16 @@ def mounted_limits(model: RobotModel) -> Limits:
     return joint_limits(model.lower_rad + margin, model.upper_rad - margin, floating=True)
 
 
-def _standing_limits(model: RobotModel, stance: Stance) -> Limits:
+def standing_limits(robot: StandingRobot) -> Limits:
+    """Joint limits shrunk for planning, and the CoM's margin with its reserve, as planners judge them."""
+    return robot.derived(_standing_limits)
+
+
+def _standing_limits(robot: StandingRobot) -> Limits:
+    model, polygon = robot.model, robot.polygon.vertices_m
     margin = model.description.planning_margin_rad
-    polygon = SupportPolygon(stance, model.description.soles).vertices_m
     edges = np.roll(polygon, -1, axis=0) - polygon
     inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
     least = np.sum(inward * polygon, axis=1) + model.description.com_margin_m + COM_RESERVE_M
     plain = joint_limits(model.lower_rad + margin, model.upper_rad - margin, floating=True)
     return plain._replace(inward=np.ascontiguousarray(inward), offset=least)
-
-
-standing_limits = StanceTable(_standing_limits)
-"""Joint limits shrunk for planning and the CoM's margin with its reserve, as the path planner judges them."""

@@ -12,10 +12,10 @@ from kinematics.arrays import Array
 from kinematics.dynamics.zmp import zmp_margins_m
 from kinematics.errors import InvalidMotionError
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
-from kinematics.motion.tolerances import SETPOINT_FRACTION
-from kinematics.standing.free_coordinates import FreeCoordinates
+from kinematics.motion.verdict import SETPOINT_FRACTION
+from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinates
 
 _FASTEST_BRAKE_1_S2 = 40.0
 """Largest slope of the rate: from full speed to rest in 25 ms, sooner than any joint could follow."""
@@ -64,7 +64,7 @@ class Brake:
 
 
 def brake_along(
-    model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
+    robot: StandingRobot, sampler: TrajectorySampler, t_s: float, period_s: float
 ) -> Brake | None:
     """Slow a trajectory down to rest without leaving its path.
 
@@ -73,8 +73,7 @@ def brake_along(
     taken, see ``_GENTLE_S``; else the gentlest of the harder ones, else the quickest of the slower ones.
 
     Args:
-        model: The robot.
-        stance: Where it stands.
+        robot: Where it stands.
         sampler: The trajectory.
         t_s: Where along it the braking begins.
         period_s: Time between two rows of the answer.
@@ -83,7 +82,7 @@ def brake_along(
         A brake whose first row is one period after the beginning; None when no profile holds the limits
         before the trajectory ends, so that it is best played out.
     """
-    acceleration, jerk = model.acceleration, model.jerk
+    acceleration, jerk = robot.model.acceleration, robot.model.jerk
     here = sampler.at(t_s)
     speed = np.maximum(np.abs(here.v[6:]), _MOVING_RAD_S)
     hardest = min(_FASTEST_BRAKE_1_S2, float(np.min(acceleration / speed)))
@@ -104,7 +103,7 @@ def brake_along(
         if tried > _TRIED:
             break
         look_s = time_s * _LOOKS
-        if not stays_upright(model, stance, _braked(sampler, t_s, limits, look_s)):
+        if not stays_upright(robot, _braked(sampler, t_s, limits, look_s)):
             tipping_s = max(tipping_s, time_s)
             continue
         periods = max(1, int(np.ceil(time_s / period_s - 1e-9)))
@@ -156,9 +155,9 @@ def _within(
     return [pair for pair, fit in zip(pairs, fits.tolist(), strict=True) if fit]
 
 
-def stays_upright(model: RobotModel, stance: Stance, motion: MotionSample) -> bool:
+def stays_upright(robot: StandingRobot, motion: MotionSample) -> bool:
     """Whether a motion keeps the ZMP inside the support polygon."""
-    return bool(zmp_margins_m(model, stance, motion).min() >= _ZMP_RESERVE_M)
+    return bool(zmp_margins_m(robot, motion).min() >= _ZMP_RESERVE_M)
 
 
 def keeps_limits(a: Array, start: Array, acceleration: Array, jerk: Array, period_s: float) -> bool:
@@ -245,18 +244,14 @@ def brake_joints(
     return rows[:, 0], rows[:, 1], rows[:, 2]
 
 
-def brake_standing(
-    model: RobotModel, stance: Stance, space: FreeCoordinates, now: MotionSample, period_s: float
-) -> MotionSample | None:
+def brake_standing(robot: StandingRobot, now: MotionSample, period_s: float) -> MotionSample | None:
     """Bring a standing robot to rest at once, without moving its feet.
 
     Arms and head brake each on their own. Base and trunk, which are heavy, go straight on while they
     slow down, as quickly as the robot can without tipping; the legs follow from the base.
 
     Args:
-        model: The robot.
-        stance: Where it stands.
-        space: Its free coordinates on that stance.
+        robot: Where it stands.
         now: What it is commanded now.
         period_s: Time between two rows of the answer.
 
@@ -264,6 +259,7 @@ def brake_standing(
         One row a period, the first at one period after ``now``, the last at rest; None when its feet
         are not where the stance says, or no profile keeps the legs within their limits.
     """
+    model, space = robot.model, free_coordinates(robot)
     x = space.from_q(now.q)
     q, reached = space.to_q(x[None, :])
     gap = now.q[7:] - q[0, 7:]
@@ -289,7 +285,7 @@ def brake_standing(
         seen = MotionSample(motion.q[rows_seen], motion.v[rows_seen], motion.a[rows_seen])
         if keeps_limits(
             motion.a[:, 6:], now.a[6:], model.acceleration, model.jerk, period_s
-        ) and stays_upright(model, stance, seen):
+        ) and stays_upright(robot, seen):
             return motion
     return None
 

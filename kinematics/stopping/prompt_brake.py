@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from kinematics.stopping.braking import keeps_jerk, keeps_limits, stays_upright
 
@@ -42,8 +41,7 @@ class _Clock:
 
 
 def brake_promptly(
-    model: RobotModel,
-    stance: Stance,
+    robot: StandingRobot,
     sampler: TrajectorySampler,
     t_s: float,
     period_s: float,
@@ -52,8 +50,7 @@ def brake_promptly(
     """Slow a trajectory down to rest without leaving its path, nearly as soon as its limits let it.
 
     Args:
-        model: The robot.
-        stance: Where it stands.
+        robot: Where it stands.
         sampler: The trajectory.
         t_s: Where along it the braking begins.
         period_s: Time between two rows of the answer.
@@ -63,7 +60,7 @@ def brake_promptly(
         One row a period, the first at one period after the beginning, the last at rest; None when nothing
         was found that keeps the limits, keeps the robot upright and rests in time.
     """
-    here = sampler.at(t_s)
+    model, here = robot.model, sampler.at(t_s)
     before = sampler.at(max(t_s - period_s, 0.0)).v[6:]
     for share in _SHARES:
         clock = _Search(sampler, t_s, period_s, latest_s, model.acceleration, model.jerk, share).found()
@@ -78,7 +75,7 @@ def brake_promptly(
         ):
             return None
         rows = np.unique(((len(motion.q) - 1) * _LOOKS).astype(np.intp))
-        if stays_upright(model, stance, MotionSample(motion.q[rows], motion.v[rows], motion.a[rows])):
+        if stays_upright(robot, MotionSample(motion.q[rows], motion.v[rows], motion.a[rows])):
             return motion
     return None
 

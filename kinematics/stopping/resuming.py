@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
 from kinematics.stopping.braking import keeps_limits, stays_upright
@@ -31,7 +31,7 @@ _CLOSE_S = 0.1
 
 
 def rest_of(
-    model: RobotModel, trajectory: Trajectory, q: Array, near_s: float, period_s: float
+    robot: StandingRobot, trajectory: Trajectory, q: Array, near_s: float, period_s: float
 ) -> Trajectory | None:
     """What is left of a trajectory, from rest, along the same path.
 
@@ -39,7 +39,7 @@ def rest_of(
     from then on the samples are the trajectory's own.
 
     Args:
-        model: The robot.
+        robot: Where it stands.
         trajectory: The whole motion.
         q: Where it rests, on its path up to the legs' straying between samples, shape (nq,).
         near_s: Where along the trajectory it rests, to two control periods.
@@ -49,7 +49,7 @@ def rest_of(
         The rest, beginning within micrometres of ``q``, at rest; None when no way of gathering speed keeps
         the limits of acceleration, jerk and balance.
     """
-    sampler = TrajectorySampler(trajectory)
+    model, sampler = robot.model, TrajectorySampler(trajectory)
     t0 = _nearest_s(sampler, q, near_s, 2.0 * period_s)
     left_s = sampler.duration_s - t0
     if left_s <= _END_S:
@@ -65,7 +65,7 @@ def rest_of(
             seen = MotionSample(rows.q[::_LOOK_EVERY], rows.v[::_LOOK_EVERY], rows.a[::_LOOK_EVERY])
             rest = np.zeros(len(model.joints))
             held = keeps_limits(rows.a[:, 6:], rest, model.acceleration, model.jerk, period_s)
-            if held and stays_upright(model, trajectory.stance, seen):
+            if held and stays_upright(robot, seen):
                 return _joined(trajectory, sampler, t0, rate, gather_s)
     return None
 

@@ -6,12 +6,10 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.dynamics.zmp import balance_margins_m
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.sampler import MotionSample
 from kinematics.motion.trajectory import Trajectory
-from kinematics.standing.free_coordinates import FreeCoordinates
 from kinematics.timing.curve_timing import CurveTimer, Pace
 
 ZMP_RESERVE_M = 0.03
@@ -26,15 +24,18 @@ _EVERY = 4
 """Samples between two looks at the ZMP; the checker looks twice as often."""
 
 
-def time_in_balance(
-    model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve, pace: Pace
-) -> Trajectory | None:
+def time_in_balance(robot: StandingRobot, curve: Curve, pace: Pace) -> Trajectory | None:
     """Make the trajectory that runs a curve from rest to rest within all limits and in balance.
+
+    Args:
+        robot: Where it stands.
+        curve: Through its free coordinates.
+        pace: The shares of its limits that are tried first.
 
     Returns:
         The trajectory, or None when the legs cannot follow, or the robot would tip at any pace.
     """
-    timer = CurveTimer(model, space, stance, curve)
+    timer = CurveTimer(robot, curve)
     hopeless = 1.0
     for share in SLOWER:
         if share > hopeless:
@@ -42,7 +43,7 @@ def time_in_balance(
         trajectory = timer.at(Pace(pace.velocity * share, pace.acceleration * share * share))
         if trajectory is None:
             return None
-        zmp, com = _margins_m(model, trajectory)
+        zmp, com = _margins_m(robot, trajectory)
         if _least_room(zmp, com) >= 0.0:
             return trajectory
         # slower, the ZMP is nearer to the CoM by the square of the speed
@@ -59,10 +60,10 @@ def _least_room(zmp: Array, com: Array) -> float:
     return float(zmp.min()) - min(ZMP_RESERVE_M, float(com.min()) - ZMP_BESIDE_COM_M)
 
 
-def _margins_m(model: RobotModel, trajectory: Trajectory) -> tuple[Array, Array]:
+def _margins_m(robot: StandingRobot, trajectory: Trajectory) -> tuple[Array, Array]:
     """Distances of ZMP and CoM to the edge of the support polygon at some instants."""
     t_s, v = trajectory.t_s, trajectory.v
     some = np.arange(1, len(t_s) - 1, _EVERY)
     acceleration = (v[some + 1] - v[some - 1]) / (t_s[some + 1] - t_s[some - 1])[:, None]
     motion = MotionSample(trajectory.q[some], v[some], acceleration)
-    return balance_margins_m(model, trajectory.stance, motion)
+    return balance_margins_m(robot, motion)

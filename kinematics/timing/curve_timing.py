@@ -18,12 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.arrays import Array, Sealed, as_float64
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.sampler import cross
 from kinematics.motion.trajectory import Trajectory
-from kinematics.standing.free_coordinates import FreeCoordinates
+from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.curve_speed import CurveGrid
 from kinematics.timing.timing_kernel import excess, grid_times, running_mean
 
@@ -95,9 +94,9 @@ Moving = Callable[[Array, Array], tuple[Array, Array] | None]
 class CurveTimer:
     """Gives one curve its time, at as many paces as are asked for."""
 
-    def __init__(self, model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve) -> None:
-        self._model, self._space, self._stance = model, space, stance
-        self._standing = _Standing(model, space)
+    def __init__(self, robot: StandingRobot, curve: Curve) -> None:
+        self._robot, self._space = robot, free_coordinates(robot)
+        self._standing = _Standing(robot)
         self._placed = placed_curve(curve, self._standing.configurations)
 
     def at(self, pace: Pace) -> Trajectory | None:
@@ -108,7 +107,7 @@ class CurveTimer:
         Returns:
             The trajectory, or None when the legs cannot follow somewhere on the curve.
         """
-        model = self._model
+        model = self._robot.model
         if self._placed is None:
             return None
         limits = JointLimits(model.velocity, model.acceleration, model.jerk).at(pace)
@@ -116,14 +115,12 @@ class CurveTimer:
         if timed is None:
             return None
         v = _velocity(timed.q, timed.rate)
-        return Trajectory(joints=model.joints, stance=self._stance, t_s=timed.t_s, q=timed.q, v=v)
+        return Trajectory(joints=model.joints, stance=self._robot.stance, t_s=timed.t_s, q=timed.q, v=v)
 
 
-def time_curve(
-    model: RobotModel, space: FreeCoordinates, stance: Stance, curve: Curve, pace: Pace
-) -> Trajectory | None:
+def time_curve(robot: StandingRobot, curve: Curve, pace: Pace) -> Trajectory | None:
     """The trajectory of one curve at one pace; see ``CurveTimer``."""
-    return CurveTimer(model, space, stance, curve).at(pace)
+    return CurveTimer(robot, curve).at(pace)
 
 
 def time_coordinates(
@@ -201,9 +198,10 @@ def _differences(configurations: Configurations, x: Array, v: Array) -> tuple[Ar
 class _Standing:
     """Configurations of a robot on its feet or its mount; while the pelvis rests, so do the legs."""
 
-    def __init__(self, model: RobotModel, space: FreeCoordinates) -> None:
-        self._space, self._columns = space, 7 + model.indices(space.joints)
-        self._base = space.base_size
+    def __init__(self, robot: StandingRobot) -> None:
+        self._space = free_coordinates(robot)
+        self._columns = 7 + robot.model.indices(self._space.joints)
+        self._base = self._space.base_size
 
     def configurations(self, x: Array) -> Array | None:
         """``Configurations`` of this robot."""

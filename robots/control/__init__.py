@@ -1,0 +1,1 @@
+"""The control loop and what runs inside of it: motions, balance, health, stops, the one gate."""

@@ -21,7 +21,7 @@ _ROWS = 12
 
 
 class FakeGesture(GestureTask):
-    """The postures are true ones; no balance is kept, nothing is avoided, and each stretch takes 1 s."""
+    """Plans gestures for the fake robot: true postures, no balance, no obstacles, 1 s for each stretch."""
 
     def __init__(
         self, model: RobotModel, q_start: Array, request: GestureRequest, hand: Hand, seed: int
@@ -49,5 +49,5 @@ class FakeGesture(GestureTask):
         t_s = np.linspace(0.0, ends_s[-1], _ROWS * ends_s[-1] + 1)
         q = np.column_stack([np.interp(t_s, ends_s, column) for column in np.transpose(postures)])
         v = np.zeros((len(q), self._model.nv))
-        trajectory = Trajectory(self._model.joints, self._stance, t_s, q, v)
+        trajectory = Trajectory(self._model.joints, self._robot.stance, t_s, q, v)
         return MovePlan(PlannedStep(name, trajectory, self._scene))

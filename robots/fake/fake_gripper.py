@@ -9,10 +9,11 @@ from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.scripted_world import PoseOf, ScriptedWorld, diameter_m
 from robots.interface.gripper_reading import GripperReading, read_gripper
+from robots.interface.hardware import GripSettings
 
 
 class FakeGripper:
-    """Satisfies ``trees.toolbox.Gripper``.
+    """A gripper of the fake robot; satisfies ``trees.toolbox.Gripper``.
 
     Attributes:
         empty: While true, the fingers always miss.
@@ -22,15 +23,26 @@ class FakeGripper:
     """
 
     def __init__(
-        self, gripper: GripperDescription, world: ScriptedWorld, motion: FakeMotion, pose_of: PoseOf
+        self,
+        gripper: GripperDescription,
+        grip: GripSettings,
+        world: ScriptedWorld,
+        motion: FakeMotion,
+        pose_of: PoseOf,
     ) -> None:
         """An open hand."""
         self.empty = False
         self.holding: str | None = None
         self.position_rad = gripper.open_rad
         self.effort_nm = 0.0
-        self.speed_rad_s = gripper.closing_speed_rad_s
-        self._gripper, self._world, self._motion, self._pose_of = gripper, world, motion, pose_of
+        self.speed_rad_s = grip.closing_speed_rad_s
+        self._gripper, self._grip, self._world, self._motion, self._pose_of = (
+            gripper,
+            grip,
+            world,
+            motion,
+            pose_of,
+        )
         self._handle: MotionHandle | None = None
         self._goal_rad = gripper.open_rad
 
@@ -57,7 +69,7 @@ class FakeGripper:
 
     def reading(self) -> GripperReading:
         """What its sensors say now."""
-        return read_gripper(self._gripper, self.position_rad, self.effort_nm)
+        return read_gripper(self._gripper, self._grip, self.position_rad, self.effort_nm)
 
     def advance(self, period_s: float) -> None:
         """Move the fingers; when what they held is gone, they close."""
@@ -71,7 +83,7 @@ class FakeGripper:
         if self._handle is not None and not self._handle.finished and self.position_rad == self._goal_rad:
             self._handle.status, self._handle.progress = MotionStatus.DONE, 1.0
             if self.holding is not None:
-                self.effort_nm = -self._gripper.effort_nm
+                self.effort_nm = -self._grip.effort_nm
                 self._world.grip(self.holding, self._gripper.hand, self._gripper.tcp_frame)
 
     def _lost(self, name: str) -> bool:

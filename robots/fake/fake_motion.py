@@ -9,8 +9,8 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at, standing_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
@@ -122,7 +122,7 @@ class FakeMotion:
         here = self.feet()
         moved = (here @ step @ here.inverse()).transform()
         self._stance = Stance(tuple((frame, moved @ sole) for frame, sole in self._stance.soles))
-        self._q = standing_at(self._model, self._q, self._stance)
+        self._q = StandingRobot.of(self._model, self._stance).placed(self._q)
 
     def unwalked(self) -> Callable[[], Array]:
         """Tells this instant's configuration with the feet where they were at first, shape (nq,), also later.
@@ -132,7 +132,7 @@ class FakeMotion:
         here = self._q
         if self._stance is self._home:
             return lambda: here
-        return lambda: standing_at(self._model, here, self._home)
+        return lambda: StandingRobot.of(self._model, self._home).placed(here)
 
     def be_at(self, q: Array) -> None:
         """Be at a configuration, shape (nq,): for a motion that somebody else plays."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -17,10 +17,10 @@ from kinematics.model.stance import Stance
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.planning.gesture_planner import GesturePlanner
-from kinematics.requests.any_request import PlanRequest
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.gesture import (
     CarryRequest,
+    GestureRequest,
     OfferRequest,
     PointRequest,
     RaiseHandRequest,
@@ -31,7 +31,9 @@ from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.request import Request
 from kinematics.requests.step import NoPlan, PlannedStep
+from kinematics.requests.view import ViewRequest
 from kinematics.scene.concessions import Concession, ConcessionReason, touching
 from kinematics.scene.planning_scene import AttachedBody, PlanningScene
 from kinematics.scene.support_of import under_foot_of
@@ -39,7 +41,7 @@ from robots.clock import Clock
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.scripted_world import diameter_m
 
-Answer = PickPlan | PlacePlan | HandlePlan | MovePlan | NoPlan | CheckedTrajectory | Unsafe
+Answer = TypeVar("Answer")
 
 _APPROACH_M = 0.10
 _BAR_M = 0.02
@@ -49,10 +51,10 @@ _STEPS = 40
 _DAMPING = 1e-4
 
 
-class FakeJob:
-    """Satisfies ``trees.toolbox.Job``: its answer is there after a while on the clock."""
+class FakeJob(Generic[Answer]):
+    """A planning job of the fake robot; satisfies ``trees.toolbox.Job``, and is done after a while."""
 
-    def __init__(self, answer: Callable[[], Any], clock: Clock, ready_s: float) -> None:
+    def __init__(self, answer: Callable[[], Answer], clock: Clock, ready_s: float) -> None:
         """Promise an answer for a time."""
         self.canceled = False
         self._answer, self._clock, self._ready_s = answer, clock, ready_s
@@ -62,7 +64,7 @@ class FakeJob:
         """Whether its time has come."""
         return not self.canceled and self._clock.now_s() >= self._ready_s - 1e-9
 
-    def result(self) -> Any:
+    def result(self) -> Answer:
         """The answer, or whatever making it raised."""
         return self._answer()
 
@@ -72,7 +74,7 @@ class FakeJob:
 
 
 class FakePlanning:
-    """Satisfies ``trees.toolbox.Planning``; ignores obstacles and limits.
+    """Plans for the fake robot; satisfies ``trees.toolbox.Planning``, and ignores obstacles and limits.
 
     Attributes:
         delay_s: Time that a job takes.
@@ -103,21 +105,50 @@ class FakePlanning:
         self.hangs = False
         self.no_plan: NoPlan | None = None
         self.unsafe: Callable[[CheckRequest], Unsafe | None] = lambda _request: None
-        self.requests: list[PlanRequest] = []
-        self.jobs: list[FakeJob] = []
+        self.requests: list[Request[object] | CheckRequest] = []
+        self.jobs: list[FakeJob[Any]] = []
         self.gestures = GesturePlanner(model, FakeGesture)
         self.reached: dict[tuple[bytes, Hand, bytes], Array] = {}
         self._model, self._clock, self._check = model, clock, check
 
-    def submit(self, request: PlanRequest) -> FakeJob:
+        self._answers: Mapping[type[Request[Any]], Callable[[Any], Any]] = {
+            PickRequest: self._pick,
+            PlaceRequest: self._place,
+            HandleRequest: self._handle,
+            OfferRequest: self._offer,
+            **dict.fromkeys((RaiseHandRequest, SwingRequest, PointRequest, CarryRequest), self._gesture),
+            RetreatRequest: self._retreat,
+            MoveRequest: self._move,
+            ViewRequest: self._view,
+        }
+
+    def submit(self, request: Request[Answer]) -> FakeJob[Answer]:
         """Begin to answer."""
         self.requests.append(request)
+        return self._begun(lambda: self.answer(request))
+
+    def check(self, question: CheckRequest) -> FakeJob[CheckedTrajectory | Unsafe]:
+        """Begin to judge."""
+        self.requests.append(question)
+        return self._begun(lambda: self.verdict(question))
+
+    def _begun(self, answer: Callable[[], Answer]) -> FakeJob[Answer]:
         ready_s = float("inf") if self.hangs else self._clock.now_s() + self.delay_s
-        job = FakeJob(lambda: self.answer(request), self._clock, ready_s)
+        job = FakeJob(answer, self._clock, ready_s)
         self.jobs.append(job)
         return job
 
-    def answer(self, request: PlanRequest) -> Answer:
+    def verdict(self, question: CheckRequest) -> CheckedTrajectory | Unsafe:
+        """Judge at once.
+
+        Raises:
+            Exception: The one that ``raises`` holds.
+        """
+        if self.raises is not None:
+            raise self.raises
+        return self.unsafe(question) or self._check(question)
+
+    def answer(self, request: Request[Answer]) -> Answer:
         """Answer at once.
 
         Raises:
@@ -125,28 +156,30 @@ class FakePlanning:
         """
         if self.raises is not None:
             raise self.raises
-        if isinstance(request, CheckRequest):
-            return self.unsafe(request) or self._check(request)
-        if self.no_plan is not None:
-            return self.no_plan
-        if isinstance(request, PickRequest):
-            return self._pick(request)
-        if isinstance(request, OfferRequest):
-            return self._offer(request)
-        if isinstance(request, RaiseHandRequest | SwingRequest | PointRequest | CarryRequest):
-            return self._timed(self.gestures.plan(replace(request, scene=_bare(request.scene))))
-        if isinstance(request, PlaceRequest):
-            return self._place(request)
-        if isinstance(request, HandleRequest):
-            return self._handle(request)
-        if isinstance(request, RetreatRequest):
-            frame = self._model.description.grippers[request.hand].tcp_frame
-            place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
-            goal = self.reach(request.q_start, request.hand, place)
-        elif isinstance(request, MoveRequest):
-            goal = self._posture(request)
-        else:
-            goal = self._looking_at(request.q_start, request.points_m[int(np.argmax(request.worth))])
+        refused = self.no_plan is not None
+        plan: Callable[[Any], Any] = self._refuse if refused else self._answers[type(request)]
+        answer: Answer = plan(request)
+        return answer
+
+    def _refuse(self, _request: object) -> NoPlan | None:
+        return self.no_plan
+
+    def _gesture(self, request: GestureRequest) -> MovePlan | NoPlan:
+        return self._timed(self.gestures.plan(replace(request, scene=_bare(request.scene))))
+
+    def _retreat(self, request: RetreatRequest) -> MovePlan:
+        frame = self._model.description.grippers[request.hand].tcp_frame
+        place = self._model.frame_pose(request.q_start, frame)[:3, 3] + request.world_offset_m
+        return self._moved(request, self.reach(request.q_start, request.hand, place))
+
+    def _move(self, request: MoveRequest) -> MovePlan:
+        return self._moved(request, self._posture(request))
+
+    def _view(self, request: ViewRequest) -> MovePlan:
+        place = request.points_m[int(np.argmax(request.worth))]
+        return self._moved(request, self._looking_at(request.q_start, place))
+
+    def _moved(self, request: Request[object], goal: Array) -> MovePlan:
         return MovePlan(self._step("move", request.q_start, goal, request.stance, request.scene))
 
     def _pick(self, request: PickRequest) -> PickPlan | NoPlan:

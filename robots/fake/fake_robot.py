@@ -10,6 +10,7 @@ from kinematics.arrays import Array
 from kinematics.model.robot_description import RobotDescription
 from robots.clock import Clock
 from robots.errors import SetpointRefusedError
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint, RobotState
 
 _GRAVITY_M_S2 = 9.81
@@ -24,11 +25,12 @@ class FakeRobot:
         effort: What the effort sensors read, Nm, shape (n,); another array is set by whoever plays the world.
     """
 
-    def __init__(self, description: RobotDescription, clock: Clock) -> None:
+    def __init__(self, data: RobotData, clock: Clock) -> None:
         """Stand at home, hands open."""
+        description = data.description
         self.stuck: set[str] = set()
         self.effort: Array = np.zeros(len(description.actuated))
-        self._description = description
+        self._description, self._hardware = description, data.hardware
         self._clock = clock
         self._q = np.array([description.home[name] for name in description.actuated])
         self._v = np.zeros_like(self._q)
@@ -40,6 +42,11 @@ class FakeRobot:
     def description(self) -> RobotDescription:
         """The robot's data."""
         return self._description
+
+    @property
+    def hardware(self) -> Hardware:
+        """What it would be made of."""
+        return self._hardware
 
     @property
     def joints(self) -> Array:

@@ -1,9 +1,12 @@
-"""What the fake robot felt, now and a while ago, worked out when somebody asks for it."""
+"""What the fake robot felt, now and a while ago, worked out when somebody asks for it; its range sensor."""
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
 
 from robots.control.loop.state_history import KEPT_S
 from robots.interface.sensed_state import SensedState
@@ -59,3 +62,21 @@ class FakeSensing:
                 break
             nearest = earlier
         return nearest.felt()
+
+
+class FakeRangeSensor:
+    """The fake robot's range sensor; satisfies ``RangeSensor``.
+
+    Attributes:
+        points_m: What is around, from the body, shape (n, 3).
+        silent: While true, there are no scans.
+    """
+
+    def __init__(self) -> None:
+        """Nothing is around."""
+        self.points_m: NDArray[np.float64] = np.zeros((0, 3))
+        self.silent = False
+
+    def scan(self) -> NDArray[np.float64] | None:
+        """The points, or None while it is silent."""
+        return None if self.silent else self.points_m.copy()

@@ -12,7 +12,7 @@ _MIDWAY_STEPS = 2
 
 
 class FakeWalking:
-    """Satisfies ``trees.toolbox.Walking``; stops between two steps, so that it always stands at once.
+    """Walks of the fake robot; satisfies ``trees.toolbox.Walking``, and stands at once when it is stopped.
 
     Attributes:
         hangs: While true, no step is made.

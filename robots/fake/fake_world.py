@@ -14,19 +14,20 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_planning import FakePlanning
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
-from robots.fake.fake_sensing import FakeSensing, Sense
+from robots.fake.fake_sensing import FakeRangeSensor, FakeSensing, Sense
 from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
 from robots.perception.truth_view import TrueObject
@@ -38,7 +39,7 @@ SUPPORT_N_M = 3000.0
 
 
 class FakeWorld:
-    """Robot, world, camera and planner; ``step`` lets time pass.
+    """The fake robot with its world, camera and planner; ``step`` lets time pass.
 
     Attributes:
         model, clock, robot: As their names say.
@@ -51,6 +52,7 @@ class FakeWorld:
     def __init__(
         self,
         model: RobotModel,
+        hardware: Hardware,
         check: Callable[[CheckRequest], CheckedTrajectory | Unsafe],
         objects: Iterable[TrueObject],
         period_s: float = 0.02,
@@ -60,6 +62,7 @@ class FakeWorld:
 
         Args:
             model: The robot.
+            hardware: What it is made of.
             check: Judges trajectories.
             objects: What is in the world.
             period_s: Time that ``step`` lets pass.
@@ -67,17 +70,19 @@ class FakeWorld:
         """
         self.model, self.clock = model, ManualClock()
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
-        self.robot = FakeRobot(model.description, self.clock)
+        self.robot = FakeRobot(RobotData(model.description, hardware), self.clock)
         self.motion = FakeMotion(model, self.clock)
         self._q = self.motion.reference()
         self._placed: tuple[NDArray[np.float64], list[float]] | None = None
         self._told_by: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         self._poses: dict[str, Transform] = {}
-        self._dynamics = dynamics or StandingDynamics(model, self.motion.stance())
+        self._dynamics = dynamics or StandingDynamics(StandingRobot.of(model, self.motion.stance()))
         camera = model.description.camera
         self.world = ScriptedWorld(objects, self._pose_of, camera.frame)
         self.grippers: Mapping[Hand, FakeGripper] = {
-            hand: FakeGripper(model.description.grippers[hand], self.world, self.motion, self._pose_of)
+            hand: FakeGripper(
+                model.description.grippers[hand], hardware.grips[hand], self.world, self.motion, self._pose_of
+            )
             for hand in HANDS
         }
         self.detector = ScriptedDetector(self.world, camera, self.clock)

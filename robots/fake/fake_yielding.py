@@ -84,7 +84,7 @@ class FakeYieldingMotion:
 
 
 class FakeYielding:
-    """Satisfies ``trees.toolbox.Yielding``.
+    """Yielding hands of the fake robot; satisfies ``trees.toolbox.Yielding``.
 
     Attributes:
         hangs: While true, no hand moves.

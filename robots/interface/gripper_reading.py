@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.model.robot_description import GripperDescription, Hand
+from robots.interface.hardware import GripSettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,19 +29,21 @@ class GripperReading:
     holding: bool
 
 
-def read_gripper(gripper: GripperDescription, position_rad: float, effort_nm: float) -> GripperReading:
+def read_gripper(
+    gripper: GripperDescription, grip: GripSettings, position_rad: float, effort_nm: float
+) -> GripperReading:
     """Interpret a joint position and the effort of the joint (negative closes)."""
     angles, openings = zip(*gripper.opening_table, strict=True)
     pressing = -effort_nm if gripper.closed_rad < gripper.open_rad else effort_nm
     closed_beyond = (
-        position_rad <= gripper.empty_below_rad
+        position_rad <= grip.empty_below_rad
         if gripper.closed_rad < gripper.open_rad
-        else position_rad >= gripper.empty_below_rad
+        else position_rad >= grip.empty_below_rad
     )
     return GripperReading(
         hand=gripper.hand,
         position_rad=position_rad,
         opening_m=float(np.interp(position_rad, angles, openings)),
         effort_nm=pressing,
-        holding=not closed_beyond and pressing >= gripper.held_effort_nm,
+        holding=not closed_beyond and pressing >= grip.held_effort_nm,
     )

@@ -10,6 +10,7 @@ from typing import Protocol
 
 from kinematics.arrays import Array, InFloat64
 from kinematics.model.robot_description import RobotDescription
+from robots.interface.hardware import Hardware
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,11 +67,19 @@ class JointSetpoint(InFloat64):
 
 
 class Robot(Protocol):
-    """A body. Only the control loop holds one, and only the gate calls ``command``."""
+    """A robot's body: sensors to read, joints to command.
+
+    Only the control loop holds one, and only the gate calls ``command``.
+    """
 
     @property
     def description(self) -> RobotDescription:
-        """The robot's data."""
+        """Where the robot's parts are."""
+        ...
+
+    @property
+    def hardware(self) -> Hardware:
+        """What it is made of."""
         ...
 
     def read(self) -> RobotState:

@@ -1,0 +1,1 @@
+"""Robots as data: a folder for each, and how its description is read."""

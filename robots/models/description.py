@@ -1,39 +1,32 @@
 """Read a robot's data: ``robots/models/<name>/description.toml`` and the URDF that it names.
 
-What the keys mean is told in ``docs/how-to-add-a-robot.md``.
+What the keys mean is told in ``docs/extend/a-robot.md``.
 """
 
 from __future__ import annotations
 
 import importlib.metadata
 import importlib.resources
-import re
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources.abc import Traversable
 from itertools import combinations
 from pathlib import Path
-from typing import Any
 
 from kinematics.model.reachability import ReachabilityMap
 from kinematics.model.robot_description import (
     GROUPS,
-    HANDS,
-    CameraDescription,
     GripperDescription,
     Hand,
-    HealthLimits,
-    JointGains,
     JointLimits,
     RobotDescription,
-    SensorNoise,
-    SoleDescription,
 )
-from kinematics.model.walking_settings import TuckedArms, WalkingSettings
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.interface.hardware import RobotData
+from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
+from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
 from robots.models.urdf import (
-    Table,
     add_collision_box,
     add_frame,
     joints_named,
@@ -43,8 +36,10 @@ from robots.models.urdf import (
     with_fixed_joints,
 )
 from robots.outside import ROBOTS, outside_folders
-from robots.toml_text import read_toml
+from robots.strict_table import read_table
+from robots.toml_text import TomlTextError, read_toml
 
+DESCRIPTION = "description.toml"
 DISABLED_COLLISIONS = "disabled_collisions.toml"
 """Pairs of links that are not judged, for robots without an SRDF; made by
 ``tools.robot_data.disabled_collisions``.
@@ -64,10 +59,15 @@ def _folders() -> Mapping[str, Traversable]:
     """The folder of each robot; of equal names the one here."""
     here = {item.name: item for item in importlib.resources.files("robots.models").iterdir()}
     folders = {**outside_folders(ROBOTS).folders, **here}
-    return {name: item for name, item in folders.items() if (item / "description.toml").is_file()}
+    return {name: item for name, item in folders.items() if (item / DESCRIPTION).is_file()}
 
 
 def load_description(name: str) -> RobotDescription:
+    """Read where the parts of a robot are; raises what ``load_robot`` does."""
+    return load_robot(name).description
+
+
+def load_robot(name: str) -> RobotData:
     """Read the data of a robot.
 
     Raises:
@@ -77,86 +77,96 @@ def load_description(name: str) -> RobotDescription:
     folder = _folders().get(name)
     if folder is None:
         raise UnknownRobotError(name, known_robots())
-    data = read_toml((folder / "description.toml").read_text("utf-8"))
+
+    def fail(key: str, reason: str) -> DescriptionError:
+        return DescriptionError(f"{DESCRIPTION}: {key}: {reason}")
+
     try:
-        return _describe(name, data, folder)
+        data = read_toml((folder / DESCRIPTION).read_text("utf-8"))
+        document = read_table(DescriptionDocument, data, fail)
+        description = _describe(name, document, folder)
+        return RobotData(description, hardware_of(document, description))
     except KeyError as missing:
-        raise DescriptionError(f"robot {name!r}: description.toml or URDF lacks {missing}") from missing
+        raise DescriptionError(f"robot {name!r}: the URDF lacks {missing}") from missing
+    except TomlTextError as broken:
+        raise DescriptionError(f"robot {name!r}: {DESCRIPTION} is no TOML: {broken}") from broken
     except DescriptionError as wrong:
         raise DescriptionError(f"robot {name!r}: {wrong}") from wrong
 
 
-def load_description_for_tasks(name: str) -> RobotDescription:
+def load_robot_for_tasks(name: str) -> RobotData:
     """Read the data of a robot that is to carry out sentences.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
-        DescriptionError: As for ``load_description``, or the robot lacks a part that the skills need.
+        DescriptionError: As for ``load_robot``, or the robot lacks a part that the skills need.
     """
-    description = load_description(name)
+    robot = load_robot(name)
+    description = robot.description
     if missing := description.missing_for_tasks:
         reason = f" ({description.cannot_grasp})" if description.cannot_grasp else ""
         raise DescriptionError(
             f"robot {name!r} can plan but not carry out tasks yet: it has no {', no '.join(missing)}{reason}"
         )
-    return description
+    return robot
 
 
-def _describe(name: str, data: Table, folder: Traversable) -> RobotDescription:
-    root = _model_root(data["source"])
-    urdf = read_urdf(root / data["source"]["urdf"], root)
-    grippers = {hand: _gripper(hand, data["gripper"]) for hand in _hands(data.get("gripper"))}
-    tcp_frames = _add_tcps(urdf, data)
-    for frame in data.get("frame", ()):
-        add_frame(urdf, frame["name"], frame["link"], frame)
-    for box in data.get("collision", ()):
-        add_collision_box(urdf, box["link"], box)
-    members = data["gains"]["members"]
+def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> RobotDescription:
+    source, body, gains = document.source, document.body, document.gains
+    root = _model_root(source)
+    urdf = read_urdf(root / source.urdf, root)
+    grippers = _grippers(document.gripper)
+    tcp_frames = _add_tcps(urdf, document)
+    for frame in document.frame:
+        add_frame(urdf, frame.name, frame.link, frame.model_dump())
+    for box in document.collision:
+        add_collision_box(urdf, box.link, box.model_dump())
     open_rad = {gripper.joint: gripper.open_rad for gripper in grippers.values()}
-    planning = with_fixed_joints(urdf, members.get(_GRIPPER_KIND, _NO_JOINT), open_rad)
-    joints = _order(planning, data["groups"])
+    planning = with_fixed_joints(urdf, gains.members.get(_GRIPPER_KIND, _NO_JOINT), open_rad)
+    joints = _order(planning, document.groups)
     gripper_joints = tuple(gripper.joint for gripper in grippers.values())
     actuated = joints + gripper_joints
-    srdf = _srdf(data["source"], root)
-    posture = {} if srdf is None else _srdf_posture(srdf, data["source"]["srdf_posture"])
-    body, limits = data["body"], data["limits"]
+    srdf = None if source.srdf is None else ElementTree.parse(root / source.srdf).getroot()
+    posture = {} if srdf is None else _srdf_posture(srdf, source.srdf_posture or "")
     description = RobotDescription(
         name=name,
         urdf=ElementTree.tostring(urdf, encoding="unicode"),
         planning_urdf=ElementTree.tostring(planning, encoding="unicode"),
         mesh_dir=str(root),
-        disabled_collisions=_disabled_pairs(srdf, folder, data.get("gripper")),
+        disabled_collisions=_disabled_pairs(srdf, folder, document.gripper),
         joints=joints,
         gripper_joints=gripper_joints,
-        limits=_limits(urdf, actuated, data),
-        gains={joint: _gains(joint, data["gains"]) for joint in actuated},
-        home={joint: data["home"].get(joint, posture.get(joint, 0.0)) for joint in actuated},
-        groups={group: tuple(data["groups"].get(group, ())) for group in _group_names(data["groups"])},
+        limits=_limits(urdf, actuated, document),
+        armature={joint: gains.of(joint).armature for joint in actuated},
+        home={joint: document.home.get(joint, posture.get(joint, 0.0)) for joint in actuated},
+        groups={group: tuple(document.groups.get(group, ())) for group in _group_names(document.groups)},
         grippers=grippers,
-        soles=tuple(_sole(item) for item in data.get("sole", ())),
+        soles=tuple(document.sole),
         tcp_frames=tcp_frames,
-        head_camera=_camera(data.get("camera")),
-        base_link=body["base_link"],
-        imu=body.get("imu_link"),
-        noise=SensorNoise(**data["noise"]),
-        planning_margin_rad=limits["planning_margin_rad"],
-        joint_viscosity_nms_rad=data.get("friction", {}).get("viscosity_nms_rad", 0.0),
-        com_margin_m=limits["com_margin_m"] if "sole" in data else 0.0,
-        contact_effort_nm={
-            joint: limits["contact"][kind]
-            for joint in joints
-            if (kind := _kind(joint, members)) in limits.get("contact", {})
-        },
-        base=body.get("base", "floating"),
-        mount_xyz_m=tuple(body.get("mount_xyz_m", (0.0, 0.0, 0.0))),
-        mount_rpy_rad=tuple(body.get("mount_rpy_rad", (0.0, 0.0, 0.0))),
-        cannot_grasp=data.get("hand", {}).get("cannot_grasp", ""),
-        walking=_walking(data.get("walking"), joints, members),
+        head_camera=document.camera,
+        base_link=body.base_link,
+        imu=body.imu_link,
+        planning_margin_rad=document.limits.planning_margin_rad,
+        joint_viscosity_nms_rad=document.friction.viscosity_nms_rad,
+        com_margin_m=_com_margin_m(document),
+        base=body.base,
+        mount_xyz_m=body.mount_xyz_m,
+        mount_rpy_rad=body.mount_rpy_rad,
+        cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
+        walking=None if document.walking is None else document.walking[0],
         reachability=_reachability(folder),
-        health=HealthLimits(**data.get("health", {})),
     )
     _require_consistent(description, link_names(urdf))
     return description
+
+
+def _com_margin_m(document: DescriptionDocument) -> float:
+    """Of a robot that stands on soles; without any there is nothing to balance."""
+    if not document.sole:
+        return 0.0
+    if document.limits.com_margin_m is None:
+        raise DescriptionError(f"{DESCRIPTION}: limits.com_margin_m: is missing, for a robot with soles")
+    return document.limits.com_margin_m
 
 
 def _require_consistent(description: RobotDescription, links: list[str]) -> None:
@@ -189,38 +199,32 @@ def _check_posture(what: str, joints: Mapping[str, float], description: RobotDes
             raise DescriptionError(f"{what}: {joint} at {at:g} is outside {low:g} to {high:g} rad")
 
 
-def _model_root(source: Table) -> Path:
+def _model_root(source: SourceTable) -> Path:
     try:
-        distribution = importlib.metadata.distribution(source["distribution"])
+        distribution = importlib.metadata.distribution(source.distribution)
     except importlib.metadata.PackageNotFoundError as missing:
         raise DescriptionError(
-            f"the package {source['distribution']!r} with the URDF is not installed"
+            f"the package {source.distribution!r} with the URDF is not installed"
         ) from missing
-    return Path(str(distribution.locate_file(source["root"])))
+    return Path(str(distribution.locate_file(source.root)))
 
 
-def _hands(part: Table | None) -> list[Hand]:
-    """Hands that a table of grippers or of hands describes, left before right."""
-    return [] if part is None else [hand for hand in HANDS if hand in part["tcp"]]
-
-
-def _add_tcps(urdf: ElementTree.Element, data: Table) -> dict[Hand, str]:
+def _add_tcps(urdf: ElementTree.Element, document: DescriptionDocument) -> dict[Hand, str]:
     """Put the TCPs of all hands into the URDF; those of hands with a gripper come from its table."""
     frames: dict[Hand, str] = {}
-    for part in (data.get("gripper"), data.get("hand")):
-        for hand in _hands(part):
-            if part is None or hand in frames:
-                continue
-            frames[hand] = part["tcp"]["frame"].format(hand=hand)
-            add_frame(urdf, frames[hand], part["base_link"].format(hand=hand), part["tcp"][hand])
+    for part in (document.gripper, document.hand):
+        for hand, place in part.tcp.places().items() if part is not None else ():
+            if part is not None and hand not in frames:
+                frames[hand] = part.tcp.frame.format(hand=hand)
+                add_frame(urdf, frames[hand], part.base_link.format(hand=hand), place.model_dump())
     return frames
 
 
-def _group_names(described: Table) -> list[str]:
+def _group_names(described: Mapping[str, list[str]]) -> list[str]:
     return [*described, *(group for group in GROUPS if group not in described)]
 
 
-def _order(urdf: ElementTree.Element, groups: Table) -> tuple[str, ...]:
+def _order(urdf: ElementTree.Element, groups: Mapping[str, list[str]]) -> tuple[str, ...]:
     """Body joints in Pinocchio's order."""
     if unknown := sorted(set(groups) - set(GROUPS)):
         raise DescriptionError(f"[groups] {unknown[0]!r} is none of {', '.join(GROUPS)}")
@@ -229,10 +233,6 @@ def _order(urdf: ElementTree.Element, groups: Table) -> tuple[str, ...]:
     if described != set(order):
         raise DescriptionError(f"groups and URDF disagree on {sorted(described ^ set(order))}")
     return order
-
-
-def _srdf(source: Table, root: Path) -> ElementTree.Element | None:
-    return ElementTree.parse(root / source["srdf"]).getroot() if "srdf" in source else None
 
 
 def _srdf_posture(srdf: ElementTree.Element, name: str) -> dict[str, float]:
@@ -247,7 +247,7 @@ def _srdf_posture(srdf: ElementTree.Element, name: str) -> dict[str, float]:
 
 
 def _disabled_pairs(
-    srdf: ElementTree.Element | None, folder: Traversable, gripper: Table | None
+    srdf: ElementTree.Element | None, folder: Traversable, gripper: GripperTable | None
 ) -> frozenset[tuple[str, str]]:
     """Pairs of links that are never judged: the SRDF's, the robot's own list, those within a gripper."""
     disabled = [] if srdf is None else srdf.findall("disable_collisions")
@@ -255,109 +255,64 @@ def _disabled_pairs(
     stored = folder / DISABLED_COLLISIONS
     if stored.is_file():
         pairs += [(a, b) for listed in read_toml(stored.read_text("utf-8")).values() for a, b in listed]
-    for hand in _hands(gripper):
-        names: tuple[str, ...] = () if gripper is None else (*gripper["links"], *gripper.get("cluster", ()))
+    for hand in () if gripper is None else gripper.tcp.places():
+        names = () if gripper is None else (*gripper.links, *gripper.cluster)
         pairs += combinations(sorted(name.format(hand=hand) for name in names), 2)
     return frozenset((min(pair), max(pair)) for pair in pairs)
 
 
-def _limits(urdf: ElementTree.Element, actuated: tuple[str, ...], data: Table) -> dict[str, JointLimits]:
+def _limits(
+    urdf: ElementTree.Element, actuated: tuple[str, ...], document: DescriptionDocument
+) -> dict[str, JointLimits]:
     """The URDF's limits where the data do not say otherwise, by joint (position) or by kind."""
-    elements = joints_named(urdf, actuated)
-    table, members = data["limits"], data["gains"]["members"]
-    positions: Mapping[str, Any] = table.get("position", {})
-    if unknown := sorted(set(positions) - set(actuated)):
+    elements, table = joints_named(urdf, actuated), document.limits
+    if unknown := sorted(set(table.position) - set(actuated)):
         raise DescriptionError(f"[limits.position] names no joint of the robot: {unknown[0]!r}")
     limits = {}
     for name in actuated:
         element = elements[name].find("limit")
         if element is None:
             raise DescriptionError(f"joint {name!r} has no limits in the URDF")
-        kind = _kind(name, members)
-        lower, upper = positions.get(name, (float(element.attrib["lower"]), float(element.attrib["upper"])))
+        kind = document.gains.kind_of(name)
+        lower, upper = (float(element.attrib["lower"]), float(element.attrib["upper"]))
         limits[name] = JointLimits(
-            position=(lower, upper),
+            position=table.position.get(name, (lower, upper)),
             velocity=float(element.attrib["velocity"]),
-            acceleration=table["acceleration"][kind],
-            jerk=table["jerk"][kind],
-            effort=table.get("effort", {}).get(kind, float(element.attrib["effort"])),
+            acceleration=by_kind(table.acceleration, kind, "limits.acceleration"),
+            jerk=by_kind(table.jerk, kind, "limits.jerk"),
+            effort=table.effort.get(kind, float(element.attrib["effort"])),
         )
     return limits
 
 
-def _kind(joint: str, members: Table) -> str:
-    for kind, pattern in members.items():
-        if re.fullmatch(pattern, joint):
-            return str(kind)
-    raise DescriptionError(f"joint {joint!r} belongs to no kind of [gains.members]")
+def _grippers(table: GripperTable | None) -> dict[Hand, GripperDescription]:
+    return {} if table is None else {hand: _gripper(hand, table) for hand in table.tcp.places()}
 
 
-def _gains(joint: str, table: Table) -> JointGains:
-    return JointGains(**table[_kind(joint, table["members"])])
-
-
-def _gripper(hand: Hand, data: Table) -> GripperDescription:
-    def links(key: str) -> tuple[str, ...]:
-        return tuple(item.format(hand=hand) for item in data[key])
+def _gripper(hand: Hand, table: GripperTable) -> GripperDescription:
+    def named(names: Sequence[str]) -> tuple[str, ...]:
+        return tuple(name.format(hand=hand) for name in names)
 
     return GripperDescription(
         hand=hand,
-        joint=data["joint"].format(hand=hand),
-        tcp_frame=data["tcp"]["frame"].format(hand=hand),
-        base_link=data["base_link"].format(hand=hand),
-        links=links("links"),
-        touch_links=links("touch_links"),
-        pad_links=links("pad_links"),
-        open_rad=data["open_rad"],
-        closed_rad=data["closed_rad"],
-        opening_table=tuple((row[0], row[1]) for row in data["opening_table"]),
-        effort_nm=data["effort_nm"],
-        closing_speed_rad_s=data["closing_speed_rad_s"],
-        empty_below_rad=data["empty_below_rad"],
-        held_effort_nm=data["held_effort_nm"],
-        payload_kg=data["payload_kg"],
-        pad_half_size_m=tuple((x, y, z) for x, y, z in data["pad_half_size_m"]),
-        pad_position_m=tuple((x, y, z) for x, y, z in data["pad_position_m"]),
-        pad_gap_m=data["pad_gap_m"],
-        palm_distance_m=data["palm_distance_m"],
-        closing_advance_m=data["closing_advance_m"],
+        joint=table.joint.format(hand=hand),
+        tcp_frame=table.tcp.frame.format(hand=hand),
+        base_link=table.base_link.format(hand=hand),
+        links=named(table.links),
+        touch_links=named(table.touch_links),
+        pad_links=named(table.pad_links),
+        open_rad=table.open_rad,
+        closed_rad=table.closed_rad,
+        opening_table=tuple(table.opening_table),
+        payload_kg=table.payload_kg,
+        pad_half_size_m=tuple(table.pad_half_size_m),
+        pad_position_m=tuple(table.pad_position_m),
+        pad_gap_m=table.pad_gap_m,
+        palm_distance_m=table.palm_distance_m,
+        closing_advance_m=table.closing_advance_m,
     )
-
-
-def _sole(item: Table) -> SoleDescription:
-    return SoleDescription(
-        side=item["side"],
-        frame=item["frame"],
-        link=item["link"],
-        x_m=tuple(item["x_m"]),
-        y_m=tuple(item["y_m"]),
-        thickness_m=item["thickness_m"],
-    )
-
-
-def _walking(data: Table | None, joints: tuple[str, ...], members: Table) -> WalkingSettings | None:
-    if data is None:
-        return None
-    by_kind = data["joint_acceleration"]
-    by_joint = {joint: by_kind[kind] for joint in joints if (kind := _kind(joint, members)) in by_kind}
-    tucked = TuckedArms(**data["tucked"]) if "tucked" in data else None
-    return WalkingSettings(**{**data, "joint_acceleration": by_joint, "tucked": tucked})
 
 
 def _reachability(folder: Traversable) -> ReachabilityMap | None:
     file = folder / REACHABILITY
     return read_reachability(file.read_text("utf-8")) if file.is_file() else None
-
-
-def _camera(data: Table | None) -> CameraDescription | None:
-    if data is None:
-        return None
-    return CameraDescription(
-        frame=data["frame"],
-        horizontal_fov_rad=data["horizontal_fov_rad"],
-        vertical_fov_rad=data["vertical_fov_rad"],
-        range_m=tuple(data["range_m"]),
-        pan_joint=data["pan_joint"],
-        tilt_joint=data["tilt_joint"],
-        lean_joint=data.get("lean_joint"),
-    )

@@ -1,0 +1,1 @@
+"""What a detector tells, the stub that plays one, the range sensor and the map of rooms."""

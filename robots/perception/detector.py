@@ -1,9 +1,12 @@
-"""What perception tells: detections relative to the camera, with size, confidence and stamp."""
+"""What perception tells: detections relative to the camera, with size, confidence and stamp; range scans."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
@@ -59,7 +62,7 @@ class PerceptionFrame:
 
 
 class Detector(Protocol):
-    """A source of frames."""
+    """A camera with its detector: a source of perception frames."""
 
     @property
     def labels(self) -> frozenset[str] | None:
@@ -68,4 +71,15 @@ class Detector(Protocol):
 
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
+        ...
+
+
+class RangeSensor(Protocol):
+    """A sensor that measures distances all around the robot, at several heights."""
+
+    def scan(self) -> NDArray[np.float64] | None:
+        """Points on what is around, in a level frame at the base, x ahead, z up from the floor, (n, 3).
+
+        None while the sensor has nothing to say: before the first scan, or after a silence.
+        """
         ...

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.geometry import poses
-from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
 from robots.scenes import articulated, furniture
@@ -18,7 +15,9 @@ from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, 
 from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
+from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m
 from robots.scenes.scene_description import (
+    GESTURES,
     Furniture,
     PerceptionModel,
     Person,
@@ -29,8 +28,6 @@ from robots.scenes.scene_description import (
 from robots.scenes.scene_words import COLORS, LONGEST_LABEL, nearest_word
 
 LARGEST_BAR_RADIUS_M = 0.03
-
-
 """Thicker bars do not fit into a hand."""
 
 
@@ -75,8 +72,6 @@ SMALLEST_SIZE_M = 0.001
 SMALLEST_MASS_KG = 0.001
 SMALLEST_WALL_M = 0.003
 """Below these a contact simulation at 1 ms has no meaning."""
-TOUCH_TOLERANCE_M = 0.0005
-"""Deeper than this two things overlap; shallower they touch."""
 GAP_TOLERANCE_M = 0.002
 """An object that would fall further than this hangs in the air."""
 START_HALF_WIDTH_M = 0.30
@@ -88,13 +83,6 @@ _SMALLEST_PLACE_M = 1.0
 """A robot needs so much room to stand and turn."""
 PERSON_RADIUS_M = 0.22
 FASTEST_PERSON_M_S = 2.0
-
-
-@dataclass(frozen=True, slots=True)
-class _Solid:
-    label: str
-    shape: Shape
-    world_T_solid: Transform
 
 
 def validate(scene: SceneDescription, source: str) -> None:
@@ -137,6 +125,10 @@ def _check_person(person: Person, source: str, key: str) -> None:
         near = nearest_word(color, COLORS)
         reason = f"{one!r} must be a colour and a piece of clothing, {near + ' shirt'!r}"
         _require(bool(garment) and color in COLORS, source, f"{key}.clothes", reason)
+    if person.gesture is not None and person.gesture not in GESTURES:
+        near = nearest_word(person.gesture, GESTURES)
+        reason = f"unknown gesture {person.gesture!r}; the nearest is {near!r}"
+        raise SceneError(source, f"{key}.gesture", reason)
     ok = 0.0 < person.speed_m_s <= FASTEST_PERSON_M_S
     reason = f"must be above 0 and at most {FASTEST_PERSON_M_S:g} m/s, not {person.speed_m_s:g}"
     _require(ok, source, f"{key}.speed_m_s", reason)
@@ -259,7 +251,7 @@ def _check_places(scene: SceneDescription, source: str) -> None:
     start = scene.robot_start
     world_T_start = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
     back, ahead = START_REACH_M
-    body = _Solid(
+    body = PlacedSolid(
         "the robot's start",
         Box((ahead - back, 2.0 * START_HALF_WIDTH_M, PERSON_HEIGHT_M)),
         world_T_start @ poses.translation(0.5 * (ahead + back), 0.0, 0.5 * PERSON_HEIGHT_M),
@@ -267,19 +259,19 @@ def _check_places(scene: SceneDescription, source: str) -> None:
     large = [*pieces, *people]
     for key, solid in large:
         _require(
-            not _overlap(body, solid), source, "robot_start",
+            not overlap(body, solid), source, "robot_start",
             f"stands inside {solid.label} ({key}.position_m)",
         )  # fmt: skip
     for i, (key, solid) in enumerate(large):
         for _, other in large[:i]:
-            _require(not _overlap(solid, other), source, f"{key}.position_m", f"overlaps {other.label}")
+            _require(not overlap(solid, other), source, f"{key}.position_m", f"overlaps {other.label}")
     parts = [
-        _Solid(f"furniture {piece.name!r}", part.shape, part.world_T_solid)
+        PlacedSolid(f"furniture {piece.name!r}", part.shape, part.world_T_solid)
         for piece in scene.furniture
         for part in furniture.solids(piece)
     ]
     parts += [
-        _Solid(
+        PlacedSolid(
             f"furniture {piece.name!r}",
             solid.shape,
             articulated.world_T_solid(piece, furniture.floor_pose(piece), solid),
@@ -291,143 +283,59 @@ def _check_places(scene: SceneDescription, source: str) -> None:
     fixed = [*parts, *(solid for _, solid in people), body]
     for i, (key, solid) in enumerate(items):
         key = f"{key}.position_m"
-        low = _lowest(solid)
+        low = lowest_m(solid)
         _require(low >= -TOUCH_TOLERANCE_M, source, key, f"{solid.label} is {-low:.4f} m deep in the floor")
         for other in fixed:
-            _require(not _overlap(solid, other), source, key, f"{solid.label} overlaps {other.label}")
+            _require(not overlap(solid, other), source, key, f"{solid.label} overlaps {other.label}")
         for former in scene.objects[:i]:
             reason = f"{solid.label} overlaps object {former.name!r}"
             _require(not _items_overlap(scene.objects[i], former), source, key, reason)
         others = [other for item in scene.objects if item is not scene.objects[i]
                   for other in _carriers(solid, item)]  # fmt: skip
-        gap = _fall(solid, [*parts, *others])
+        gap = fall_m(solid, [*parts, *others])
         _require(gap <= GAP_TOLERANCE_M, source, key, f"{solid.label} hangs {gap:.4f} m in the air")
 
 
-def _outline(piece: Furniture) -> _Solid:
+def _outline(piece: Furniture) -> PlacedSolid:
     """The whole room that a piece of furniture takes, the space between its legs too."""
     lift = poses.translation(0.0, 0.0, 0.5 * piece.size_m[2])
-    return _Solid(f"furniture {piece.name!r}", Box(piece.size_m), furniture.floor_pose(piece) @ lift)
+    return PlacedSolid(f"furniture {piece.name!r}", Box(piece.size_m), furniture.floor_pose(piece) @ lift)
 
 
-def _whole(item: SceneItem) -> _Solid:
+def _whole(item: SceneItem) -> PlacedSolid:
     """An object with the room inside it."""
-    return _Solid(f"object {item.name!r}", item.shape, item.world_T_object)
+    return PlacedSolid(f"object {item.name!r}", item.shape, item.world_T_object)
 
 
-def _walls(item: SceneItem) -> list[_Solid]:
+def _walls(item: SceneItem) -> list[PlacedSolid]:
     """What an object is made of: bottom and walls of a hollow one."""
     label = f"object {item.name!r}"
-    parts = [_Solid(label, shape, item.world_T_object @ pose) for _, shape, pose, _ in hollow_parts(item)]
+    parts = [
+        PlacedSolid(label, shape, item.world_T_object @ pose) for _, shape, pose, _ in hollow_parts(item)
+    ]
     return parts or [_whole(item)]
 
 
 def _items_overlap(a: SceneItem, b: SceneItem) -> bool:
     """Tell whether two objects share room; what stands inside a hollow one, clear of its walls, does not."""
-    if not _overlap(_whole(a), _whole(b)):
+    if not overlap(_whole(a), _whole(b)):
         return False
     if a.wall_m is None and b.wall_m is None:
         return True
-    return any(_overlap(one, other) for one in _walls(a) for other in _walls(b))
+    return any(overlap(one, other) for one in _walls(a) for other in _walls(b))
 
 
-def _carriers(solid: _Solid, item: SceneItem) -> list[_Solid]:
+def _carriers(solid: PlacedSolid, item: SceneItem) -> list[PlacedSolid]:
     """What of an object something may stand on; on the rim of a hollow one only if it cannot sink into it."""
     walls, whole = _walls(item), _whole(item)
-    above_m = _lowest(solid) - _top(whole)
+    above_m = lowest_m(solid) - top_m(whole)
     if item.wall_m is None or abs(above_m) > GAP_TOLERANCE_M:
         return walls
     sunk = poses.translation(0.0, 0.0, -above_m - 2.0 * TOUCH_TOLERANCE_M) @ solid.world_T_solid
-    rests = any(_overlap(_Solid(solid.label, solid.shape, sunk), wall) for wall in walls)
+    rests = any(overlap(PlacedSolid(solid.label, solid.shape, sunk), wall) for wall in walls)
     return [*walls, whole] if rests else walls
 
 
-def _mannequin(person: Person) -> _Solid:
+def _mannequin(person: Person) -> PlacedSolid:
     shape, world_T_solid = person_solid(person, PERSON_RADIUS_M)
-    return _Solid(f"person {person.name!r}", shape, world_T_solid)
-
-
-def _extents(solid: _Solid) -> NDArray[np.float64]:
-    """Half of what a solid takes along each axis of the world, shape (3,)."""
-    axes = solid.world_T_solid[:3, :3]
-    match solid.shape:
-        case Box(size_m=size):
-            return np.asarray(0.5 * np.abs(axes) @ np.asarray(size))
-        case Cylinder(radius_m=radius, height_m=height):
-            return np.asarray(0.5 * height * np.abs(axes[:, 2]) + radius * np.hypot(axes[:, 0], axes[:, 1]))
-        case Ball(radius_m=radius):
-            return np.full(3, radius)
-
-
-def _lowest(solid: _Solid) -> float:
-    return float(solid.world_T_solid[2, 3] - _extents(solid)[2])
-
-
-def _top(solid: _Solid) -> float:
-    return float(solid.world_T_solid[2, 3] + _extents(solid)[2])
-
-
-def _fall(solid: _Solid, others: Sequence[_Solid]) -> float:
-    """How far a solid is above what is under its centre: floor, furniture or another object."""
-    low = _lowest(solid)
-    gap = low
-    for other in others:
-        top = _top(other)
-        if top <= low + TOUCH_TOLERANCE_M and _above(solid.world_T_solid[:3, 3], other):
-            gap = min(gap, low - top)
-    return gap
-
-
-def _above(point: NDArray[np.float64], solid: _Solid) -> bool:
-    """Tell whether a point is straight above an (upright) solid."""
-    local = poses.inverse(solid.world_T_solid) @ np.array(
-        [point[0], point[1], solid.world_T_solid[2, 3], 1.0]
-    )
-    match solid.shape:
-        case Box(size_m=size):
-            return bool(abs(local[0]) <= 0.5 * size[0] and abs(local[1]) <= 0.5 * size[1])
-        case Cylinder(radius_m=radius) | Ball(radius_m=radius):
-            return math.hypot(local[0], local[1]) <= radius
-
-
-def _overlap(a: _Solid, b: _Solid) -> bool:
-    """Tell whether two solids share room deeper than the tolerance."""
-    apart = np.abs(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])
-    if np.any(apart > _extents(a) + _extents(b)):
-        return False
-    return _some_point_inside(a, b) or _some_point_inside(b, a)
-
-
-def _some_point_inside(probe: _Solid, target: _Solid) -> bool:
-    points = _samples(probe.shape) @ probe.world_T_solid[:3, :3].T + probe.world_T_solid[:3, 3]
-    local = (points - target.world_T_solid[:3, 3]) @ target.world_T_solid[:3, :3]
-    match target.shape:
-        case Box(size_m=size):
-            depth = np.min(0.5 * np.asarray(size) - np.abs(local), axis=1)
-        case Cylinder(radius_m=radius, height_m=height):
-            depth = np.minimum(
-                radius - np.hypot(local[:, 0], local[:, 1]), 0.5 * height - np.abs(local[:, 2])
-            )
-        case Ball(radius_m=radius):
-            depth = radius - np.linalg.norm(local, axis=1)
-    return bool(np.max(depth) > TOUCH_TOLERANCE_M)
-
-
-def _samples(shape: Shape) -> NDArray[np.float64]:
-    """Points that fill a solid and its surface densely enough to meet anything that overlaps it."""
-    steps = np.linspace(-1.0, 1.0, 25)
-    match shape:
-        case Box(size_m=size):
-            grid = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1).reshape(-1, 3)
-            return np.asarray(grid * (0.5 * np.asarray(size)), dtype=np.float64)
-        case Cylinder(radius_m=radius, height_m=height):
-            angles = np.linspace(0.0, 2.0 * math.pi, 180, endpoint=False)
-            rings = np.linspace(0.0, radius, 7)
-            r, angle, z = (axis.ravel() for axis in np.meshgrid(rings, angles, 0.5 * height * steps))
-            return np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
-        case Ball(radius_m=radius):
-            angles = np.linspace(0.0, 2.0 * math.pi, 90, endpoint=False)
-            polar = np.linspace(0.0, math.pi, 46)
-            shells = np.linspace(0.0, radius, 5)
-            r, a, p = (axis.ravel() for axis in np.meshgrid(shells, angles, polar))
-            return np.stack([r * np.sin(p) * np.cos(a), r * np.sin(p) * np.sin(a), r * np.cos(p)], axis=-1)
+    return PlacedSolid(f"person {person.name!r}", shape, world_T_solid)

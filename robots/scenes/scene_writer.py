@@ -8,8 +8,16 @@ from typing import Any
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from robots.scenes.scene_description import Person, SceneDescription
-from robots.scenes.scene_parts import part_values
+from robots.scenes.scene_description import Furniture, Person, SceneDescription
+
+_OF_EVERY_PART = (
+    "mass_kg",
+    "locked",
+    "handle_height_m",
+    "handle_radius_m",
+    "handle_length_m",
+    "handle_friction",
+)
 
 
 def dump(scene: SceneDescription) -> str:
@@ -28,7 +36,7 @@ def dump(scene: SceneDescription) -> str:
     for piece in scene.furniture:
         lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
         lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
-        lines += _pairs(**part_values(piece))
+        lines += _pairs(**_part_values(piece))
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)
@@ -75,3 +83,21 @@ def _shape_keys(shape: Shape) -> dict[str, Any]:
             return {"radius_m": radius, "height_m": height}
         case Ball(radius_m=radius):
             return {"radius_m": radius}
+
+
+def _part_values(piece: Furniture) -> dict[str, Any]:
+    """What is said of a door or drawer."""
+    part = piece.opens
+    if part is None:
+        return {}
+    values: dict[str, Any] = {key: getattr(part, key) for key in _OF_EVERY_PART}
+    if part.hinge is None:
+        return {**values, "friction_n": part.friction, "open_m": part.opening}
+    return {
+        **values,
+        "hinge": part.hinge,
+        "friction_nm": part.friction,
+        "seal_n": part.seal_n,
+        "open_rad": part.opening,
+        "handle_inset_m": part.handle_inset_m,
+    }

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.model.robot_description import RobotDescription
+from robots.interface.hardware import RobotData
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.physics import Physics
 from robots.simulated.body.range_sensor import SimulatedRangeSensor
@@ -43,9 +43,7 @@ class SimulatedWorld:
     walkers: WalkingPeople
 
 
-def build_world(
-    description: RobotDescription, scene: SceneDescription, rng: np.random.Generator
-) -> SimulatedWorld:
+def build_world(robot: RobotData, scene: SceneDescription, rng: np.random.Generator) -> SimulatedWorld:
     """Build a world with the robot standing at the scene's ``robot_start`` in its home posture.
 
     Args:
@@ -57,7 +55,7 @@ def build_world(
         SceneError: The robot would start in contact with something, or the simulator refuses the scene.
         DescriptionError: The URDF lacks what the description names.
     """
-    physics = Physics(description, scene)
+    physics = Physics(robot, scene)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
     ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])
@@ -71,7 +69,7 @@ def build_world(
         walkers.tick()
         physics.furniture.apply()
 
-    robot = SimulatedRobot(physics, rng, before_period)
+    body = SimulatedRobot(physics, rng, before_period)
     return SimulatedWorld(
-        robot, truth, faults, BodyFaults(physics, robot, faults), physics, ranging, people, walkers
+        body, truth, faults, BodyFaults(physics, body, faults), physics, ranging, people, walkers
     )

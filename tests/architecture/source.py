@@ -45,17 +45,20 @@ class Module:
                 for alias in node.names:
                     yield node.lineno, f"{base}.{alias.name}"
 
-    def calls(self) -> Iterator[tuple[int, str]]:
-        """Line and full name of every dotted call or reference, with import aliases resolved."""
-        names = {}
+    def bound(self) -> Iterator[tuple[str, str]]:
+        """Each name that an import binds, wherever in the file, and the full name of what it stands for."""
         for node in ast.walk(self.tree):
             if isinstance(node, ast.Import):
-                names.update({alias.asname or alias.name.split(".")[0]: (alias.asname and alias.name) or
-                              alias.name.split(".")[0] for alias in node.names})  # fmt: skip
+                for alias in node.names:
+                    first = alias.name.split(".")[0]
+                    yield alias.asname or first, alias.name if alias.asname else first
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-                names.update(
-                    {alias.asname or alias.name: f"{node.module}.{alias.name}" for alias in node.names}
-                )
+                for alias in node.names:
+                    yield alias.asname or alias.name, f"{node.module}.{alias.name}"
+
+    def calls(self) -> Iterator[tuple[int, str]]:
+        """Line and full name of every dotted call or reference, with import aliases resolved."""
+        names = dict(self.bound())
         for node in ast.walk(self.tree):
             if isinstance(node, ast.Attribute | ast.Name):
                 dotted = _dotted(node)

@@ -10,7 +10,7 @@ PERMISSIVE = re.compile(
     r"\b(MIT|BSD|Apache|ISC|Zlib|BSL-1\.0|PSF|Python Software Foundation|Unlicense|HPND|0BSD)", re.IGNORECASE
 )
 COPYLEFT = re.compile(r"\b(A?GPL|LGPL|MPL|EPL|CC-BY-SA|SSPL)", re.IGNORECASE)
-# Metadata that does not say it well; docs/licences.md explains each.
+# Metadata that does not say it well; docs/reference/licences.md explains each.
 EXPLAINED = {"cmeel-qhull", "jrl-cmakemodules"}
 
 
@@ -29,7 +29,7 @@ def licence_of(name):
 @pytest.mark.parametrize("name", locked())
 def test_a_locked_dependency_is_permissive(name):
     if name in EXPLAINED:
-        assert name in (ROOT / "docs" / "licences.md").read_text("utf-8")
+        assert name in (ROOT / "docs" / "reference" / "licences.md").read_text("utf-8")
         return
     licence = licence_of(name)
     assert PERMISSIVE.search(licence), f"{name}: {licence or 'no licence named'}"

@@ -45,6 +45,8 @@ SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
     for name in ("arrays", "compiled", "distance", "errors", "geometry", "model", "motion", "scene")
 )  # fmt: skip
+# What the standard library says is there to be set.
+MEANT_TO_BE_SET = ("sys.stdin", "sys.stdout", "sys.stderr", "os.environ")
 SEALED = ("kinematics.motion.verdict", "kinematics.checking.trajectory_checker")
 
 
@@ -186,6 +188,97 @@ def around(module: Module) -> list[str]:
     ]
 
 
+def patching(module: Module) -> list[str]:
+    """Attributes of imported modules and classes of others that are set: a library stays as it was made."""
+    names = {bound: name for bound, name in module.bound() if name.split(".")[0] not in LAYERS}
+    found = []
+    for node in ast.walk(module.tree):
+        for target in _set_by(node):
+            owner, dotted = target, ""
+            while isinstance(owner, ast.Attribute | ast.Subscript):
+                dotted = f".{owner.attr}{dotted}" if isinstance(owner, ast.Attribute) else dotted
+                owner = owner.value
+                if isinstance(owner, ast.Call) and ast.unparse(owner.func) == "vars" and owner.args:
+                    owner = owner.args[0]
+            if owner is target or not isinstance(owner, ast.Name) or owner.id not in names:
+                continue
+            whole = names[owner.id] + dotted
+            if not _within(whole, MEANT_TO_BE_SET):
+                found.append(f"{module.file}:{node.lineno}: {whole} is another's: derive, do not patch")
+    return found
+
+
+def _set_by(node: ast.AST) -> list[ast.expr]:
+    """What a statement or a call sets or deletes; of a call, the attribute as it would be written."""
+    if isinstance(node, ast.Assign | ast.Delete):
+        return [one for target in node.targets for one in _single(target)]
+    if isinstance(node, ast.AugAssign | ast.AnnAssign):
+        return [node.target]
+    if isinstance(node, ast.Call):
+        called = ast.unparse(node.func)
+        if called in ("setattr", "delattr", "type.__setattr__", "type.__delattr__"):
+            return [ast.Attribute(node.args[0], "__dict__", ast.Store())]
+        if re.search(r"(^vars\(.+\)|\.__dict__)\.(update|setdefault|pop)$", called):
+            return [node.func]
+    return []
+
+
+def _single(target: ast.expr) -> list[ast.expr]:
+    if isinstance(target, ast.Tuple | ast.List):
+        return [one for item in target.elts for one in _single(item)]
+    return [target.value if isinstance(target, ast.Starred) else target]
+
+
+def figures(module: Module) -> list[str]:
+    """Numbers of a failure that are read one by one, and words that are looked for in its text.
+
+    Both are for people, who read all of them: programs decide by a failure's kind, reason and typed fields.
+    """
+    if module.package == "tools":
+        return []
+    return [
+        f"{module.file}:{node.lineno}: {ast.unparse(read)} is for people"
+        for node in ast.walk(module.tree)
+        for read in _looked_into(node)
+        if _is_for_people(module, read)
+    ]
+
+
+def _looked_into(node: ast.AST) -> list[ast.expr]:
+    """What an expression takes one thing out of, or looks for one thing in."""
+    if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load):
+        return [node.value]
+    if isinstance(node, ast.Attribute) and node.attr in (
+        "get",
+        "pop",
+        "setdefault",
+        "startswith",
+        "endswith",
+    ):
+        return [node.value]
+    if isinstance(node, ast.Compare) and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
+        return node.comparators
+    return []
+
+
+def _is_for_people(module: Module, read: ast.expr) -> bool:
+    if isinstance(read, ast.Attribute):
+        return read.attr == "numbers" or ast.unparse(read).endswith(("failure.message", "root.message"))
+    has_failures = any(name.startswith("trees.failures.") for _, name in module.imports())
+    return has_failures and isinstance(read, ast.Name) and read.id == "numbers"
+
+
+def driving(module: Module) -> list[str]:
+    """Generators of steps that somebody drives by hand: whoever does decides again what an answer is for."""
+    if module.name == "executive.session.driver":
+        return []
+    return [
+        f"{module.file}:{node.lineno}: executive.session.driver drives"
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.ExceptHandler) and node.type and "StopIteration" in ast.unparse(node.type)
+    ]
+
+
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
     (wrong_layer, "def f():\n    from executive.cli.app import main", "trees/example.py"),
@@ -224,8 +317,27 @@ BREACHES = [
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from math import tau", "trees/example.py"),
     (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/leaves/example.py"),
+    (patching, "import py_trees\npy_trees.ports.asked = cache", "trees/example.py"),
+    (patching, "from py_trees import ports\nvars(ports)['asked'] = cache", "trees/example.py"),
+    (patching, "from py_trees import ports\nvars(ports).update(asked=cache)", "trees/example.py"),
+    (patching, "from py_trees.behaviour import Behaviour as B\nB.tick = tick", "trees/example.py"),
+    (patching, "import numpy as np\nsetattr(np.linalg, 'norm', norm)", "kinematics/example.py"),
+    (patching, "import numpy as np\na, np.sin = 1, sin", "kinematics/example.py"),
+    (patching, "import numpy as np\ndef f():\n    del np.random.seed", "kinematics/example.py"),
+    (patching, "import rich\nrich.__dict__.update(print=quiet)", "executive/example.py"),
+    (patching, "import sys\nsys.excepthook = hook", "executive/example.py"),
+    (figures, "def f(failure):\n    return failure.root.numbers.get('seen')", "trees/example.py"),
+    (figures, "def f(failure):\n    return failure.numbers['seen']", "robots/example.py"),
+    (figures, "def f(failure):\n    return 'seen' in failure.root.numbers", "executive/example.py"),
+    (figures, "from trees.failures import Number\ndef f(numbers):\n    numbers.get('a')", "trees/example.py"),
+    (figures, "def f(failure):\n    return 'is stuck' in failure.message", "trees/example.py"),
+    (driving, "try:\n    next(steps)\nexcept StopIteration as end:\n    pass", "executive/example.py"),
 ]
 ALLOWED = [
+    (patching, "import sys\nsys.stdout = stream", "executive/example.py"),
+    (patching, "from rich.text import Text\nText('a').style = 'bold'", "executive/example.py"),
+    (patching, "import numpy as np\na = np.zeros(3)\na[0] = 1", "kinematics/example.py"),
+    (patching, "from trees.tasks import Task\nTask.action = 'x'", "trees/example.py"),
     (wrong_layer, "import kinematics.geometry.poses", "robots/example.py"),
     (wrong_library, "import mujoco", "robots/simulated/world.py"),
     (wrong_library, "import urllib.parse", "executive/example.py"),
@@ -241,12 +353,16 @@ ALLOWED = [
     (commander, "self._robot.command(setpoint)", "robots/control/gate/setpoint_gate.py"),
     (around, "from trees.beliefs.scene.believed_thing import Surroundings", "trees/leaves/example.py"),
     (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/readings/around.py"),
+    (figures, "def f(failure):\n    return list(failure.numbers.items())", "executive/example.py"),
+    (figures, "from trees.failures import Number\nnumbers = {}\nnumbers['held'] = 1", "trees/example.py"),
+    (figures, "def f(numbers, name):\n    return numbers[name]", "kinematics/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from cmath import tau", "trees/example.py"),
+    (driving, "try:\n    next(steps)\nexcept StopIteration:\n    pass", "executive/session/driver.py"),
     (imported_again, "if True:\n    from math import pi\ndef f():\n    from math import pi", "trees/a.py"),
 ]
 RULES = (
     wrong_layer, wrong_library, wall_clock, global_random, truth, seal, judge, commander, environment,
-    imported_again, around,
+    imported_again, around, patching, figures, driving,
 )  # fmt: skip
 
 

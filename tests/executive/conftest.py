@@ -12,12 +12,20 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.loop.emergency_stop import EmergencyStop
 from robots.fake.fake_world import FakeWorld, cup, table
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from trees.policy import TreePolicy
+from trees.skills.pick.settings import PickSettings
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
-QUICK = TreePolicy(look_frames=2, look_timeout_s=0.4, hold_s=0.2, grasp_settle_s=0.04, motion_slack_s=0.2)
+HARDWARE = load_robot("talos").hardware
+
+QUICK = TreePolicy(
+    skills=(PickSettings(hold_s=0.2, grasp_settle_s=0.04),),
+    look_frames=2,
+    look_timeout_s=0.4,
+    motion_slack_s=0.2,
+)
 
 
 def believed(request):
@@ -61,14 +69,14 @@ class FakeStage:
     """A session with a fake robot at a table, and what it told."""
 
     def __init__(self, model, *things, places=(), guarded=False):
-        self.fake, self.events = FakeWorld(model, believed, [table(), *things]), []
+        self.fake, self.events = FakeWorld(model, HARDWARE, believed, [table(), *things]), []
         toolbox = Toolbox(
             clock=self.fake.clock, model=model, motion=self.fake.motion, sensing=self.fake.sensing,
             grippers=self.fake.grippers, detector=self.fake.detector, planning=self.fake.planning,
             world=WorldModel(), events=lambda event: self.session.tell(event),
             rng=np.random.default_rng(1), policy=QUICK, places=dict(places),
         )  # fmt: skip
-        planning = PlanningJobs(None, self.fake.clock, self.events.append)
+        planning = PlanningJobs(None, None, self.fake.clock, self.events.append)
         guard = Supervisor(Guard(), self.fake.clock, self.events.append) if guarded else None
         self.session = Session(toolbox, Loop(self.fake), planning, self.events.append, supervisor=guard)
         self.requests = Requests(self.session)

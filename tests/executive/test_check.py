@@ -16,15 +16,17 @@ from executive.reports.check_report import MotionVerdict
 from kinematics.checking.settings import CheckSettings
 from kinematics.formats.trajectory_document import StoredTrajectory, write_trajectory
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import FindingKind
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.models.description import load_description
 
 DOCS = Path(__file__).parents[2] / "docs"
-SCHEMA = json.loads((DOCS / "check-report.schema.json").read_text())
-GUIDE = (DOCS / "trajectory-checker.md").read_text()
+REFERENCE = DOCS / "reference"
+SCHEMA = json.loads((REFERENCE / "check-report.schema.json").read_text())
+GUIDE = (DOCS / "guides" / "checker.md").read_text()
+FINDINGS = (REFERENCE / "trajectory.md").read_text()
 
 
 @pytest.fixture
@@ -263,7 +265,7 @@ def test_every_motion_of_a_recorded_run_can_be_checked_again_with_the_same_verdi
 
     assert len(stored) >= 4
     for path in stored:
-        schema = json.loads((DOCS / "trajectory.schema.json").read_text())
+        schema = json.loads((REFERENCE / "trajectory.schema.json").read_text())
         jsonschema.validate(json.loads(path.read_text()), schema)
         verdict = executive("check", str(path))
         assert (path.stem[4:], verdict.exit_code) in (("safe", 0), ("unsafe", 5))
@@ -346,16 +348,16 @@ def test_the_guide_s_longer_example_works(capsys):
     assert capsys.readouterr().out.startswith("Safe trajectory: nearest measured distance ")
 
 
-def test_the_guide_explains_every_finding_and_every_tolerance_with_its_default():
+def test_the_reference_explains_every_finding_and_every_tolerance_with_its_default():
     for kind in FindingKind:
-        assert f"| {kind.value} |" in GUIDE
+        assert f"| {kind.value} |" in FINDINGS
     defaults = CheckSettings()
     for item in fields(CheckSettings):
-        assert f"| {item.name} | {getattr(defaults, item.name)} |" in GUIDE
+        assert f"| {item.name} | {getattr(defaults, item.name)} |" in FINDINGS
 
 
 def test_the_published_schema_knows_every_kind_of_finding():
-    known = SCHEMA["$defs"]["finding"]["properties"]["kind"]["enum"]
+    known = SCHEMA["$defs"]["FindingKind"]["enum"]
 
     assert set(known) == {kind.value for kind in FindingKind}
 

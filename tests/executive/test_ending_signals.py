@@ -14,7 +14,7 @@ import pytest
 
 from executive.ending_signals import EndedBySignal, interrupt_by_all, taken_by, told
 
-SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text())
+SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "reference" / "report.schema.json").read_text())
 ALL = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 each = pytest.mark.parametrize("number", ALL, ids=lambda number: number.name)
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-GUIDE = (ROOT / "docs" / "how-to-add-a-skill.md").read_text("utf-8")
-PROJECT, WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)
+GUIDE = (ROOT / "docs" / "extend" / "a-skill.md").read_text("utf-8")
+PROJECT, WORDS, CODE = re.findall(r"```(?:python|toml)\n(.*?)```", GUIDE, re.DOTALL)[3:]
 
 
 @pytest.fixture(scope="module")

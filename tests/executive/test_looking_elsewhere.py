@@ -6,15 +6,19 @@ from types import SimpleNamespace
 
 import pytest
 
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.errands.unsaid_steps import Known
+from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 
 
 def unseen(name):
-    return Failure.postcondition(f"no {name} seen", seen="table, red can")
+    return Failure.postcondition(f"no {name} seen", seen="table, red can").because(Reason.NOT_SEEN)
+
+
+BODY = SimpleNamespace(description=SimpleNamespace(name="talos", tcp_frames={"right": "tool"}))
 
 
 class Notes:
@@ -23,7 +27,7 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, *failures, can_walk=True):
-        self.toolbox = SimpleNamespace(can_walk=can_walk, places=())
+        self.toolbox = SimpleNamespace(can_walk=can_walk, places=(), grippers={"right": None}, model=BODY)
         self.told, self.went_to, self.failures = [], [], list(failures)
 
     def request(self):
@@ -49,24 +53,17 @@ class Here:
         self.notes = notes
 
     def known(self):
-        return Known(is_near=lambda wanted: wanted.at_hand and wanted.thing.kind in self.before)
+        return Known(is_near=lambda wanted: wanted.within_reach and wanted.thing.kind in self.before)
 
     def note_where_asked(self):
         pass
 
-    def settled(self, command):
+    def with_other_furniture_named(self, command):
         return command
 
 
-class Nobody:
-    """Asks and stops nothing."""
-
-    def attend(self, _session):
-        pass
-
-
 def results_of(notes, sentence, beliefs=Here):
-    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs(notes)).steps(), Nobody(), notes)
+    return driven(Errand(notes, parse(sentence).commands, beliefs=beliefs(notes)).steps())
 
 
 def carried_out(notes, sentence, beliefs=Here):
@@ -122,7 +119,7 @@ class WithTheCup(Here):
 
 
 def out_of_reach():
-    return Failure.infeasible("no way to grasp it was found", grasps_considered=0.0)
+    return Failure.infeasible("no way to grasp it was found").because(Reason.NO_GRASP)
 
 
 @pytest.mark.requirement("M5", "M6")
@@ -177,7 +174,7 @@ def test_what_cannot_be_put_down_from_here_is_taken_to_the_furniture():
 
 @pytest.mark.requirement("M3")
 def test_who_stands_too_far_away_to_take_it_is_walked_to():
-    notes = Notes(Failure.infeasible("Ana stands 2.2 m away", person_m=2.2))
+    notes = Notes(Failure.infeasible("Ana stands 2.2 m away").because(Reason.PERSON_TOO_FAR))
 
     assert carried_out(notes, "give the cup to Ana", WithTheCup)[-1] == "done"
     assert notes.told == ["give the cup to Ana", "walk to Ana", "give the cup to Ana"]
@@ -205,7 +202,7 @@ class BesideTheBottle(Here):
         (Notes(unseen("cup")), "pick up the cup on the table", BeforeTheTable),
         (Notes(unseen("cup"), can_walk=False), "pick up the cup", Here),
         (Notes(Failure.infeasible("the door is stuck")), "pick up the cup", Here),
-        (Notes(Failure.postcondition("it slipped", seen=True)), "pick up the cup", Here),
+        (Notes(Failure.postcondition("it slipped").because(Reason.SLIPPED)), "pick up the cup", Here),
         (Notes(out_of_reach()), "pick up the bottle", BesideTheBottle),
         (Notes(unseen("cup")), "pick up both cups", Here),
         (Notes(unseen("cup")), "count the cups", Here),
@@ -217,7 +214,7 @@ def test_not_all_that_fails_is_looked_for_elsewhere(notes, sentence, beliefs):
 
 
 def test_what_no_hand_could_take_is_brought_nowhere():
-    notes = Notes(Failure.infeasible("the bowl is too wide for the hand", width_m=0.18))
+    notes = Notes(Failure.infeasible("the bowl is too wide for the hand").because(Reason.TOO_WIDE))
 
     assert carried_out(notes, "put the bowl on the shelf") == ["failed"]
     assert notes.told == ["put the bowl on the shelf"]

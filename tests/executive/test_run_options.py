@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from executive.cli import app as cli
 
-SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text())
+SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "reference" / "report.schema.json").read_text())
 
 
 @pytest.fixture

@@ -7,7 +7,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.kernel.robot_arrays import humanoid_arrays
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.free_coordinates import FreeCoordinates
 from robots.models.description import load_description
@@ -59,7 +60,7 @@ def arrays(talos):
 
 @pytest.fixture(scope="session")
 def space(talos, stance):
-    return FreeCoordinates(talos, stance)
+    return FreeCoordinates(StandingRobot(talos, stance))
 
 
 def turned_at(rng, position):

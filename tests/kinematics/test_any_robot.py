@@ -16,8 +16,8 @@ from kinematics.geometry.shapes import Box
 from kinematics.ik.placo_ik import PlacoIk
 from kinematics.ik.result import IkTolerance
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at, standing_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.trajectory import Trajectory
@@ -56,7 +56,7 @@ def among_boxes():
 
 @pytest.fixture(scope="module")
 def panda_space(panda):
-    return FreeCoordinates(panda, NO_STANCE)
+    return FreeCoordinates(StandingRobot(panda, NO_STANCE))
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +66,7 @@ def panda_checker(panda):
 
 def planner_of(model, space, stance, scene, iterations=2000):
     world = CollisionWorld(model, scene, extra_margin_m=0.004, self_margin_m=0.005)
-    judge = SampledValidity(model, stance, world)
+    judge = SampledValidity(StandingRobot(model, stance), world)
     return PathPlanner(model, space, judge, PathSettings(iterations=iterations))
 
 
@@ -114,7 +114,7 @@ def test_a_welded_arm_moves_between_random_postures_among_boxes(
         curve = planner.plan(start, goal, list(range(7)), rng)
         assert curve is not None
         detours += planner.straight(start, goal) is None
-        trajectory = time_curve(panda, panda_space, NO_STANCE, curve, PACE)
+        trajectory = time_curve(StandingRobot(panda, NO_STANCE), curve, PACE)
         verdict = panda_checker.check(trajectory, among_boxes)
         assert isinstance(verdict, CheckedTrajectory), str(verdict)
         assert panda_space.from_q(trajectory.q[0]) == pytest.approx(start, abs=1e-9)
@@ -128,7 +128,7 @@ def test_a_welded_arm_that_turns_its_last_joint_alone_keeps_the_others_still(pan
     start = panda_space.from_q(panda.q_home)
     goal = start + np.eye(7)[6] * 0.5
 
-    trajectory = time_curve(panda, panda_space, NO_STANCE, PolynomialCurve(np.stack([start, goal])), PACE)
+    trajectory = time_curve(StandingRobot(panda, NO_STANCE), PolynomialCurve(np.stack([start, goal])), PACE)
 
     assert np.abs(trajectory.q[:, :13] - panda.q_home[:13]).max() < 1e-12
     assert np.ptp(trajectory.q[:, 13]) == pytest.approx(0.5)
@@ -210,14 +210,14 @@ def test_an_arm_mounted_on_a_table_plans_and_is_judged_there(panda):
     model = RobotModel(mounted)
     table = box("table", (0.6, 0.8, 0.7), 0.3, -0.2, 0.349)
     scene = PlanningScene().with_objects([table]).allowing([("panda_link0", "table")])
-    space = FreeCoordinates(model, NO_STANCE)
+    space = FreeCoordinates(StandingRobot(model, NO_STANCE))
     planner = planner_of(model, space, NO_STANCE, scene)
     start = space.from_q(model.q_home)
     goal = start.copy()
     goal[0] = 1.2
 
     curve = planner.plan(start, goal, list(range(7)), np.random.default_rng(0))
-    trajectory = time_curve(model, space, NO_STANCE, curve, PACE)
+    trajectory = time_curve(StandingRobot(model, NO_STANCE), curve, PACE)
 
     assert isinstance(TrajectoryChecker(model).check(trajectory, scene), CheckedTrajectory)
     assert model.frame_pose(model.q_home, "panda_link0")[:3, 3] == pytest.approx([0.3, -0.2, 0.7])
@@ -227,7 +227,7 @@ def test_an_arm_mounted_on_a_table_plans_and_is_judged_there(panda):
 
 
 def test_the_hand_of_a_welded_arm_is_brought_to_poses_with_its_base_in_place(panda):
-    ik = PlacoIk(panda, NO_STANCE, "right")
+    ik = PlacoIk(StandingRobot(panda, NO_STANCE), "right")
     rng = np.random.default_rng(0)
 
     for _ in range(20):
@@ -243,7 +243,7 @@ def test_the_hand_of_a_welded_arm_is_brought_to_poses_with_its_base_in_place(pan
 
 def test_a_hand_that_the_robot_does_not_have_is_named(panda):
     with pytest.raises(MissingPartError, match="panda has no left hand"):
-        PlacoIk(panda, NO_STANCE, "left")
+        PlacoIk(StandingRobot(panda, NO_STANCE), "left")
 
 
 def test_a_welded_robot_cannot_tip_and_one_on_its_feet_cannot_stand_on_nothing(panda, talos):
@@ -260,8 +260,8 @@ def test_the_stance_of_a_welded_robot_is_empty_and_its_base_at_the_mount(panda):
     q[:3] = (1.0, 2.0, 3.0)
 
     assert stance_at(panda, q) == NO_STANCE
-    assert np.array_equal(standing_at(panda, q, NO_STANCE), panda.q_home)
-    assert np.array_equal(panda.home_over(NO_STANCE), panda.q_home)
+    assert np.array_equal(StandingRobot(panda, NO_STANCE).placed(q), panda.q_home)
+    assert np.array_equal(StandingRobot(panda, NO_STANCE).q_home, panda.q_home)
 
 
 @pytest.mark.requirement("S6")
@@ -300,9 +300,9 @@ def test_a_small_humanoid_stands_at_home_in_balance_and_free_of_collisions(g1, g
 @pytest.mark.requirement("U4", "S6", "M5")
 @pytest.mark.parametrize("hand", ["left", "right"])
 def test_a_small_humanoid_reaches_with_both_hands_and_exact_feet(g1, g1_stance, before_a_table, hand):
-    space = FreeCoordinates(g1, g1_stance)
+    space = FreeCoordinates(StandingRobot(g1, g1_stance))
     planner = planner_of(g1, space, g1_stance, before_a_table, iterations=300)
-    checker, ik = TrajectoryChecker(g1), PlacoIk(g1, g1_stance, hand)
+    checker, ik = TrajectoryChecker(g1), PlacoIk(StandingRobot(g1, g1_stance), hand)
     groups, side = g1.description.groups, 1.0 if hand == "left" else -1.0
     moving = [space.index(joint) for joint in (*groups[f"{hand}_arm"], *groups["torso"])]
     rng, reached = np.random.default_rng(2), 0
@@ -316,7 +316,7 @@ def test_a_small_humanoid_reaches_with_both_hands_and_exact_feet(g1, g1_stance, 
             continue
         curve = planner.plan(space.from_q(g1.q_home), goal, moving, rng)
         assert curve is not None
-        trajectory = time_curve(g1, space, g1_stance, curve, Pace(0.5, 0.7))
+        trajectory = time_curve(StandingRobot(g1, g1_stance), curve, Pace(0.5, 0.7))
         verdict = checker.check(trajectory, before_a_table)
         assert isinstance(verdict, CheckedTrajectory), str(verdict)
         for q in trajectory.q[::10]:
@@ -331,14 +331,14 @@ def test_a_small_humanoid_reaches_with_both_hands_and_exact_feet(g1, g1_stance, 
 
 @pytest.mark.requirement("U4")
 def test_a_small_humanoid_bends_its_legs_to_reach_down(g1, g1_stance):
-    space = FreeCoordinates(g1, g1_stance)
+    space = FreeCoordinates(StandingRobot(g1, g1_stance))
     planner = planner_of(g1, space, g1_stance, PlanningScene())
     start, low = space.from_q(g1.q_home), space.from_q(g1.q_home)
     low[2] -= 0.15
     low[4] += 0.1
 
     curve = planner.straight(start, low)
-    trajectory = time_curve(g1, space, g1_stance, curve, Pace(0.5, 0.7))
+    trajectory = time_curve(StandingRobot(g1, g1_stance), curve, Pace(0.5, 0.7))
     knee = g1.joint_index("left_knee_joint")
 
     verdict = TrajectoryChecker(g1).check(trajectory, PlanningScene())

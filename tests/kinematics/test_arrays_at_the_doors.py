@@ -17,8 +17,8 @@ from kinematics.ik.reach_ik import ReachIk
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import humanoid_arrays
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import BlendedPolyline
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
@@ -83,12 +83,12 @@ def checker():
 
 @functools.cache
 def kernel():
-    return CollisionKernel.standing(humanoid_arrays(robot()), robot(), feet(), PlanningScene())
+    return CollisionKernel.standing(humanoid_arrays(robot()), StandingRobot(robot(), feet()), PlanningScene())
 
 
 @functools.cache
 def solver(kind):
-    return kind(robot(), feet(), "right")
+    return kind(StandingRobot(robot(), feet()), "right")
 
 
 def told(answer):
@@ -139,7 +139,10 @@ def test_a_policys_float32_is_judged_by_distances_that_were_measured():
 @given(form=forms, rows=st.integers(0, 4))
 def test_the_kernel_judges_numbers_of_every_form_alike(form, rows):
     rng = np.random.default_rng(rows)
-    x = form(free_coordinates(robot(), feet()).home + rng.normal(size=(rows, kernel().size), scale=0.2))
+    x = form(
+        free_coordinates(StandingRobot(robot(), feet())).home
+        + rng.normal(size=(rows, kernel().size), scale=0.2)
+    )
     q = form(robot().q_home + rng.normal(size=(rows, robot().nq), scale=0.2))
     if rows == 0:
         x, q = np.reshape(x, (0, kernel().size)), np.reshape(q, (0, robot().nq))
@@ -203,7 +206,7 @@ def test_documents_hold_numbers_of_every_form_alike(form):
 @settings(max_examples=40, deadline=None)
 @given(form=forms)
 def test_free_coordinates_take_numbers_of_every_form_alike(form):
-    space = free_coordinates(robot(), feet())
+    space = free_coordinates(StandingRobot(robot(), feet()))
     q = form(robot().q_home)
 
     x = space.from_q(q)
@@ -247,14 +250,14 @@ def test_a_trajectory_without_two_samples_is_none(t_s):
 
 def test_no_form_of_numbers_compiles_anything_anew():
     assert readiness.ready(), "executive doctor --warm compiles what is tried here"
-    x, q = free_coordinates(robot(), feet()).home[None], robot().q_home
+    x, q = free_coordinates(StandingRobot(robot(), feet())).home[None], robot().q_home
     asked = [
         lambda form: kernel().points_are_free(form(x)),
         lambda form: kernel().contacts(form(q[None])),
         lambda form: kernel().distances_m(form(q)),
         lambda form: solver(ReachIk).solve(form(translation(0.5, -0.25, 1.0)), form(q), iterations=3),
         lambda form: solver(ReachIk).follow([form(translation(0.5, -0.25, 1.0))], form(q)),
-        lambda form: free_coordinates(robot(), feet()).to_q(form(x)),
+        lambda form: free_coordinates(StandingRobot(robot(), feet())).to_q(form(x)),
         lambda form: checker().check(
             Trajectory(robot().joints, feet(), [0, 1], form([q, q]), form(np.zeros((2, robot().nv)))),
             PlanningScene(),

@@ -7,7 +7,7 @@ from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.gesture import CarryRequest
 from kinematics.requests.move import MovePlan

@@ -6,7 +6,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.ik.solver import inverse_kinematics
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests.move import MovePlan, MoveRequest
 from kinematics.requests.step import NoPlan
@@ -48,7 +49,7 @@ def walls(*, shut):
 def way_home(model):
     stance = stance_at(model, model.q_home, [sole.frame for sole in model.description.soles])
     hand = poses.translation(*HAND_M)
-    q = inverse_kinematics(model, stance, "left").solve(hand, model.q_home).q
+    q = inverse_kinematics(StandingRobot(model, stance), "left").solve(hand, model.q_home).q
     planner = MotionPlanner(model)
     return lambda seed, shut=False: planner.answer(MoveRequest(q, stance, walls(shut=shut), seed=seed))
 

@@ -10,7 +10,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.ik.arm_frames import arm_kinematics
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.planning.gesture_planner import BESIDE_FINGERS, GesturePlanner
 from kinematics.planning.gesture_task import GestureTask, Wish
 from kinematics.requests.gesture import OfferRequest

@@ -2,7 +2,7 @@
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.ik.pointing import pointing_error_m
+from kinematics.ik.arm_frames import pointing_error_m
 from kinematics.model.robot_description import HANDS
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.gesture import PointRequest

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests.move import MovePlan, MoveRequest
@@ -42,6 +43,6 @@ def test_it_picks_something_up(talos, stance, tabletop, at_the_limit):
 def test_a_start_inside_the_margins_is_left_as_it_is(talos, stance):
     from kinematics.standing.free_coordinates import free_coordinates
 
-    space = free_coordinates(talos, stance)
+    space = free_coordinates(StandingRobot(talos, stance))
 
     assert np.array_equal(space.start(talos.q_home), space.from_q(talos.q_home))

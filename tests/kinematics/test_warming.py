@@ -47,12 +47,12 @@ USED = [
 
 def test_what_was_warmed_is_all_that_a_pick_and_its_checks_call(talos, stance, make):
     warming.warm(talos)
-    planner = MotionPlanner(talos)
+    planner, checker = MotionPlanner(talos), TrajectoryChecker(talos)
     scene = PlanningScene().with_objects([make.table(), make.cup()])
 
     plan = planner.answer(PickRequest(talos.q_home, stance, scene, "cup"))
     for step in (plan.reach, plan.approach, plan.lift):
-        assert isinstance(planner.answer(step.question), CheckedTrajectory)
+        assert isinstance(checker.check(step.trajectory, step.scene, step.concessions), CheckedTrajectory)
 
     assert [len(function.signatures) for function in USED] == [1] * len(USED)
 

@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 from tools.benchmark.scaling import course
+from tools.benchmark.scaling_page import scaling_page
 from tools.benchmark.scaling_picture import picture
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -39,3 +40,16 @@ def test_the_picture_is_a_document_with_a_legend_and_a_dot_for_each_count():
     assert any(text.startswith("planned & shortened: exponent 0.3") for text in texts)
     assert any("number of waypoints" in text for text in texts)
     assert len(list(document.iter(f"{SVG}circle"))) == 7
+
+
+def test_the_page_has_a_table_for_each_quantity_that_grows():
+    courses = [
+        course("planned", "obstacles", (1, 10, 100, 1000), [[0.001], [0.001], [0.002], [0.004]]),
+        course("timed", "waypoints", (2, 4, 8), [[0.001], [0.002], [0.004]]),
+    ]
+
+    text = scaling_page(courses, 2)
+
+    assert "| against obstacles | 1 | 10 | 100 | 1000 | exponent |" in text
+    assert "| timed | 1 | 2 | 4 | 1.00 |" in text
+    assert "2 scenes or paths of each count" in text

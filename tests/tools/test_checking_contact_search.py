@@ -12,10 +12,9 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 from tools.checking.contact_search import STEP_M, STEP_S, ContactSearch
-from tools.checking.definition import Definition
 from tools.checking.farthest import Farthest
 from tools.checking.generator import Generator
-from tools.checking.referee import Referee
+from tools.checking.referee import Definition, Referee
 from tools.checking.solid_world import SolidWorld
 
 

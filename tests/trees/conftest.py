@@ -12,7 +12,8 @@ from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.grasp import Grasp
@@ -20,27 +21,32 @@ from kinematics.requests.pick import PickRequest
 from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from trees.build import build_tree
 from trees.nodes.leaf import Leaf
 from trees.policy import TreePolicy
 from trees.port_values import CheckedStep, Step, Target
+from trees.skills.gestures.settings import GestureSettings
+from trees.skills.hand_over.settings import HandOverSettings
+from trees.skills.pick.settings import PickSettings
+from trees.skills.place.settings import PlaceSettings
 from trees.tasks import ObjectDescription, PickTask
 from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
+HARDWARE = load_robot("talos").hardware
+
 QUICK = TreePolicy(
     look_frames=2,
     look_timeout_s=0.4,
-    hold_s=0.2,
-    grasp_settle_s=0.04,
     motion_slack_s=0.2,
     task_timeout_s=60.0,
-    rest_s=0.08,
-    offer_rest_s=0.08,
-    take_within_s=0.6,
-    after_giving_s=0.04,
-    pointing_hold_s=0.04,
+    skills=(
+        PickSettings(hold_s=0.2, grasp_settle_s=0.04),
+        PlaceSettings(rest_s=0.08),
+        HandOverSettings(offer_rest_s=0.08, take_within_s=0.6, after_giving_s=0.04),
+        GestureSettings(pointing_hold_s=0.04),
+    ),
 )
 PERIOD_S = 0.02
 # Fingers of the fake robot move so many times faster than the true ones.
@@ -94,7 +100,7 @@ class Stage:
         motion_s=2 * PERIOD_S,
     ):
         things = [table(), cup()] if objects is None else objects
-        self.fake = FakeWorld(model, believed, things, period_s, dynamics)
+        self.fake = FakeWorld(model, HARDWARE, believed, things, period_s, dynamics)
         self.events = []
         self.told = WorldModel()
         self.toolbox = Toolbox(
@@ -196,7 +202,7 @@ def model():
 @pytest.fixture(scope="session")
 def new_stage(model):
     """Makes stages; whoever takes it clears the blackboard himself."""
-    dynamics = StandingDynamics(model, stance_at(model, model.q_home))
+    dynamics = StandingDynamics(StandingRobot(model, stance_at(model, model.q_home)))
     gestures, reached = RememberedGestures(model), {}
 
     def made(*objects, **options):
@@ -306,7 +312,7 @@ def planned(knowing):
         @staticmethod
         def checked(name):
             step = getattr(plan, name)
-            checked = fake.planning.answer(step.question)
+            checked = fake.planning.verdict(step.question)
             return CheckedStep(name, checked, scene.version)
 
         @staticmethod

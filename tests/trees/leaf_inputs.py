@@ -19,15 +19,15 @@ from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
 from trees.skills.carrying.ask_for_swap import AskForSwap
-from trees.skills.doors.approach_handle import ApproachHandle
 from trees.skills.doors.choose_handle import ChooseHandle
-from trees.skills.doors.grasp_handle import GraspHandle
-from trees.skills.doors.held_handle import HeldHandle
-from trees.skills.doors.lead_handle import LeadHandle
+from trees.skills.doors.handle.approach_handle import ApproachHandle
+from trees.skills.doors.handle.grasp_handle import GraspHandle
+from trees.skills.doors.handle.held_handle import HeldHandle
+from trees.skills.doors.handle.lead_handle import LeadHandle
+from trees.skills.doors.handle.touch_front import TouchFront
 from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
-from trees.skills.doors.touch_front import TouchFront
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
 from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.gestures.turn_to import TurnTo
@@ -177,7 +177,7 @@ def planned(stage, opening_rad=0.0):
 
 def reaching(stage):
     handle, plan = planned(stage)
-    checked = stage.fake.planning.answer(CheckRequest(plan.reach.trajectory, plan.reach.scene))
+    checked = stage.fake.planning.verdict(CheckRequest(plan.reach.trajectory, plan.reach.scene))
     return {"handle": handle, "checked": CheckedStep("reach", checked, stage.told.scene.version)}
 
 

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from trees.beliefs.sight.sight import in_view
-from trees.policy import TreePolicy
+from trees.skills.telling.settings import TellingSettings
 
 TOPS_M = (0.75, 0.82, 0.9, 1.0)
 AHEAD_M, ASIDE_M = np.arange(0.36, 0.62, 0.04), np.arange(-0.48, 0.49, 0.04)
@@ -27,7 +27,7 @@ def camera_at(model, gaze):
 
 
 def test_the_looks_of_an_inventory_show_all_of_a_near_table_whatever_its_height(model):
-    cameras = [camera_at(model, gaze) for gaze in TreePolicy().inventory_gazes]
+    cameras = [camera_at(model, gaze) for gaze in TellingSettings().inventory_gazes]
     places = [np.array([x, y, z + 0.05]) for z, x, y in itertools.product(TOPS_M, AHEAD_M, ASIDE_M)]
 
     missed = [

@@ -18,68 +18,19 @@ from py_trees.common import Status
 
 from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import bowl, cup, person, table
+from tests.trees.example_tasks import FURTHER, TASKS
 from tests.trees.leaf_inputs import GIVEN
 from trees.btcpp.leaf_kinds import known_leaves
 from trees.btcpp.outside_leaves import outside_leaves
-from trees.build import SKILLS, build_tree
-from trees.extensions import extensions
+from trees.build import build_tree
 from trees.failures import FailureKind
 from trees.nodes.leaf import Leaf
-from trees.tasks import (
-    CloseTask,
-    CountTask,
-    DescribeTask,
-    FindTask,
-    GoHomeTask,
-    HandOverTask,
-    LookAtTask,
-    MoveTask,
-    ObjectDescription,
-    OpenTask,
-    PickTask,
-    PlaceTask,
-    PointAtTask,
-    PutInTask,
-    SayTask,
-    WaitTask,
-    WalkToTask,
-    WaveTask,
-)
-
-RED_CUP = ObjectDescription("cup", "red")
-
-# One task for every skill; a new skill adds a row.
-TASKS = {
-    PickTask: PickTask("pick up the red cup", ObjectDescription("cup", "red")),
-    GoHomeTask: GoHomeTask("go home"),
-    PlaceTask: PlaceTask("put the red cup on the table", RED_CUP, on="table"),
-    PutInTask: PutInTask("put the red cup into the bowl", RED_CUP, ObjectDescription("bowl")),
-    HandOverTask: HandOverTask("give the red cup to Ana", RED_CUP, "Ana"),
-    FindTask: FindTask("find the red cup", RED_CUP),
-    CountTask: CountTask("how many cups are there", ObjectDescription("cup")),
-    DescribeTask: DescribeTask("what is on the table", source="table"),
-    WaveTask: WaveTask("wave at Ana", "Ana"),
-    PointAtTask: PointAtTask("point at the red cup", RED_CUP),
-    LookAtTask: LookAtTask("look at the red cup", RED_CUP),
-    SayTask: SayTask("say hello", "hello"),
-    WaitTask: WaitTask("wait a moment", 0.1),
-    OpenTask: OpenTask("open the fridge", ObjectDescription("fridge")),
-    CloseTask: CloseTask("close the fridge", ObjectDescription("fridge")),
-    MoveTask: MoveTask("go forward", 0.3, 0.0, 0.5),
-    WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
-}
-
-# Where another tree does it when another thing, or several, are named, a task that names them.
-FURTHER = {
-    PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
-    FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
-}
+from trees.registry import skills
+from trees.tasks import HandOverTask, PickTask, PlaceTask
 
 LEAVES = [leaf for leaf in known_leaves().values() if leaf.__module__.startswith("trees.")]
 # Skills of other packages that are installed here are held to the same contract.
-OUTSIDE = tuple(extensions().skills.values())
-TASKS |= {skill.task: (skill.make or skill.task)(skill.example) for skill in OUTSIDE}
-TREES = {**SKILLS, **{skill.task: skill.tree for skill in OUTSIDE}}
+TREES = {type(task): skills()[task.action].tree for task in TASKS.values()}
 LEAVES += [leaf for leaf in outside_leaves().leaves if leaf not in LEAVES]
 
 LONGEST = 400
@@ -145,7 +96,10 @@ def skills_with(leaves, new_stage):
 
 
 def _leaves_of(kind, toolbox):
-    roots = [TREES[kind](toolbox), *(build_tree(task, toolbox).root for task in FURTHER.get(kind, ()))]
+    roots = [
+        TREES[kind](TASKS[kind], toolbox),
+        *(build_tree(task, toolbox).root for task in FURTHER.get(kind, ())),
+    ]
     return {type(node) for root in roots for node in root.iterate()}
 
 
@@ -202,8 +156,7 @@ def _contexts(new_stage, makers, kinds):
     """For each leaf class the context of its first beginning in any run; a richer posture wins."""
     found = {}
     for kind in kinds:
-        task = TASKS.get(kind)
-        assert task is not None, f"the contract test needs a {kind.__name__}: add one to TASKS"
+        task = TASKS[kind]
         upsets = [(task, upset) for upset in UPSETS.get(kind, (lambda stage: None,))]
         further = [(other, lambda stage: None) for other in FURTHER.get(kind, ())]
         for task, upset in (*upsets, *further):

@@ -11,7 +11,7 @@ from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory

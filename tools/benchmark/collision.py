@@ -16,6 +16,7 @@ from kinematics.arrays import Array
 from kinematics.collision.validity import validity
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
@@ -53,11 +54,11 @@ class OwnEdgeJudge:
     def __init__(self) -> None:
         self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
         self._model = RobotModel(load_description("panda"))
-        self._stance = Stance(())
+        self._robot = StandingRobot(self._model, Stance(()))
 
     def judge(self, objects: Sequence[SceneObject], edges: Array) -> tuple[list[bool], float]:
         """Judge one line after another."""
-        judge = validity(self._model, self._stance, PlanningScene().with_objects(objects))
+        judge = validity(self._robot, PlanningScene().with_objects(objects))
         began_s = time.process_time()
         free = [judge.polyline_is_free(edge) for edge in edges]
         return free, time.process_time() - began_s

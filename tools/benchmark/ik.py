@@ -16,6 +16,7 @@ from kinematics.arrays import Array
 from kinematics.ik.placo_ik import without_meshes
 from kinematics.ik.result import IkTolerance
 from kinematics.ik.solver import inverse_kinematics
+from kinematics.model.standing_robot import StandingRobot
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
@@ -43,7 +44,7 @@ class OwnSolver:
 
     def __init__(self, body: ReachingBody) -> None:
         self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
-        self._ik = inverse_kinematics(body.model, body.stance, HAND)
+        self._ik = inverse_kinematics(StandingRobot(body.model, body.stance), HAND)
 
     def reach(self, reach: Reach) -> tuple[Array | None, float]:
         """Solve from the first start that leads there."""

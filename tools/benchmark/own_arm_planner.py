@@ -11,6 +11,7 @@ from executive.config import APPLICATION
 from kinematics.collision.validity import validity
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.path_planner import PathPlanner, PathSettings
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import FreeCoordinates
@@ -30,14 +31,14 @@ class OwnArmPlanner:
     def __init__(self) -> None:
         self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
         self._model = RobotModel(load_description("panda"))
-        self._stance = Stance(())
-        self._space = FreeCoordinates(self._model, self._stance)
+        self._robot = StandingRobot(self._model, Stance(()))
+        self._space = FreeCoordinates(self._robot)
 
     def plan(self, problem: Problem, seed: int) -> Answer:
         """Plan; the product's planner shortens as it goes, so that all counts as planning."""
         began_s = time.process_time()
         scene = PlanningScene().with_objects(problem.objects)
-        judge = validity(self._model, self._stance, scene)
+        judge = validity(self._robot, scene)
         planner = PathPlanner(self._model, self._space, judge, _SETTINGS)
         set_up_s = time.process_time()
         columns = list(range(self._space.size))

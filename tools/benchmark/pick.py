@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from kinematics.arrays import Array
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
@@ -73,11 +74,11 @@ def pick(quick: bool, cache: Path, samples: int | None = None) -> Report:
 
 def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> list[Trial]:
     """Everybody in turn, beginning with another one each time, after a first pick that does not count."""
-    planner = MotionPlanner(model)
+    planner, checker = MotionPlanner(model), TrajectoryChecker(model)
     trials = []
     for number, request in enumerate(picks(model, count, seed=0)):
         if number == 0:
-            _solves(planner, request)
+            _solves(planner, checker, request)
             for peer in peers.values():
                 peer.pick(request)
         found: dict[str, PeerPick] = {}
@@ -89,7 +90,7 @@ def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> l
                 found[name] = peers[name].pick(request)
                 continue
             began_s = time.process_time()
-            solved = _solves(planner, request)
+            solved = _solves(planner, checker, request)
             own_s = time.process_time() - began_s
         trials.append(Trial(request, solved, own_s, found))
     return trials
@@ -166,11 +167,11 @@ def _figures(found_s: list[float], refused_s: list[float], possible: int) -> lis
     return [*rows, Figure("found of the possible ones, %", share, None, None, 1.0)]
 
 
-def _solves(planner: MotionPlanner, request: PickRequest) -> bool:
+def _solves(planner: MotionPlanner, checker: TrajectoryChecker, request: PickRequest) -> bool:
     """Plan, and check every motion of the plan as the product does before it moves."""
     plan = planner.answer(request)
     if not isinstance(plan, PickPlan):
         return False
     steps = (plan.reach, plan.approach, plan.lift)
-    answers = [planner.answer(step.question) for step in steps]
+    answers = [checker.check(step.trajectory, step.scene, step.concessions) for step in steps]
     return all(isinstance(answer, CheckedTrajectory) for answer in answers)

@@ -7,9 +7,10 @@ on between them costs nothing. It ends with the first plan that holds, as the pr
 from __future__ import annotations
 
 import contextlib
+import math
 import pickle
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -23,10 +24,11 @@ from kinematics.ik.placo_ik import without_meshes
 from kinematics.ik.result import IkTolerance
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
-from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_table
 from kinematics.planning.pick_planner import MOST_BLOCKED
-from kinematics.planning.pick_task import APPROACH_M
+from kinematics.planning.pick_task import APPROACH_M, FARTHEST_M
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
 from kinematics.requests.pick import PickRequest
 from kinematics.scene.support_of import under_foot_of
@@ -34,7 +36,6 @@ from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.curve_timing import Pace
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
-from tools.benchmark.problems.natural_grasps import natural_grasps
 from tools.benchmark.problems.problem import object_to_json
 
 Document = dict[str, Any]
@@ -267,7 +268,7 @@ class PeerPicker:
         joints = request.q_start[7:][index]
         if not self._whole_body:
             return np.array([joints, way.approach[0]])
-        pelvis = free_coordinates(self._model, self._stance).from_q(request.q_start)[:6]
+        pelvis = free_coordinates(StandingRobot(self._model, self._stance)).from_q(request.q_start)[:6]
         return np.array([np.concatenate([pelvis, joints]), way.approach[0]])
 
     def _free(self, candidate: GraspCandidate, phase: str, points: Array) -> bool:
@@ -290,3 +291,21 @@ class PeerPicker:
         answer = self._processes[name].ask(question, hand=hand, **values)
         self._seconds[stage] += answer["seconds"]
         return answer["answer"]
+
+
+def natural_grasps(model: RobotModel, request: PickRequest, heights: Sequence[float]) -> list[GraspCandidate]:
+    """Grasps of all hands that may be used and are in reach, in the product's order."""
+    found: list[GraspCandidate] = []
+    target = request.scene.objects[request.target]
+    for hand in request.hands:
+        joint = model.pin.getJointId(model.description.groups[f"{hand}_arm"][1])
+        shoulder = next(frame.name for frame in model.pin.frames if frame.parentJoint == joint)
+        offset = (target.world_T_object - model.frame_pose(request.q_start, shoulder))[:3, 3]
+        if np.linalg.norm(offset[:2]) > FARTHEST_M:
+            continue
+        heading = float(np.arctan2(offset[1], offset[0]))
+        cost = 2.0 * math.hypot(offset[0], offset[1])
+        gripper = model.description.grippers[hand]
+        table = grasp_table(target, gripper, heading, APPROACH_M, heights, cost)
+        found += [table.candidate(row) for row in range(len(table))]
+    return sorted(found, key=lambda item: item.cost)

@@ -14,7 +14,8 @@ from kinematics.geometry.poses import Transform
 from kinematics.ik.result import IkTolerance
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.leg_ik import LegIk
@@ -52,7 +53,7 @@ class ReachingBody:
         self.polygon = SupportPolygon(self.stance, self.model.description.soles)
         margin = self.model.description.planning_margin_rad
         self.lower, self.upper = self.model.lower_rad + margin, self.model.upper_rad - margin
-        self._legs = LegIk(self.model, self.stance)
+        self._legs = LegIk(StandingRobot(self.model, self.stance))
         self._alone = CollisionWorld(self.model, PlanningScene())
 
     def reaches(self, count: int, seed: int) -> Iterator[Reach]:

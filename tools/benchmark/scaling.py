@@ -13,7 +13,7 @@ import functools
 import json
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -26,8 +26,8 @@ from kinematics.collision.validity import Validity, validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve, RoundedPolyline
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
@@ -37,6 +37,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinat
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
+from tools.benchmark.scaling_page import Course, scaling_page
 from tools.benchmark.scaling_picture import picture
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
@@ -49,27 +50,6 @@ _SHOULDER_M = np.array([0.0, 0.0, 0.33])
 _AHEAD_M = (0.85, 3.0)
 _EDGE_RAD = 2.0
 _PACE = Pace(0.5, 0.7)
-
-
-@dataclass(frozen=True, slots=True)
-class Course:
-    """One quantity as it grows.
-
-    Attributes:
-        name: What is done.
-        against: What grows.
-        counts: How many of them.
-        median_ms: Processor time, by count.
-        p95_ms: The same, 95th percentile.
-        exponent: Slope in logarithms over the upper half of the counts.
-    """
-
-    name: str
-    against: str
-    counts: tuple[int, ...]
-    median_ms: tuple[float, ...]
-    p95_ms: tuple[float, ...]
-    exponent: float
 
 
 def course(name: str, against: str, counts: Sequence[int], samples_s: Sequence[Sequence[float]]) -> Course:
@@ -89,19 +69,20 @@ def scaling(repeats: int) -> list[Course]:
 
 def _among_obstacles(repeats: int) -> list[Course]:
     model, stance = RobotModel(load_description("panda")), Stance(())
-    space = FreeCoordinates(model, stance)
+    robot = StandingRobot(model, stance)
+    space = FreeCoordinates(robot)
     names = ("Panda: scene taken in", "Panda: line of 2 rad judged", "Panda: path planned and shortened")
     found: dict[str, list[list[float]]] = {name: [] for name in names}
     # what is loaded at the first use does not count
-    first = validity(model, stance, PlanningScene().with_objects(_shell(np.random.default_rng(0), 1)))
+    first = validity(robot, PlanningScene().with_objects(_shell(np.random.default_rng(0), 1)))
     _judge_all(first, [_edge(model, first, np.random.default_rng(0))])
     for count in OBSTACLES:
         samples: dict[str, list[float]] = {name: [] for name in names}
         for number in range(repeats):
             rng = np.random.default_rng([count, number])
             scene = PlanningScene().with_objects(_shell(rng, count))
-            samples[names[0]].append(timed_s(functools.partial(validity, model, stance, scene)))
-            judge = validity(model, stance, scene)
+            samples[names[0]].append(timed_s(functools.partial(validity, robot, scene)))
+            judge = validity(robot, scene)
             start, goal = (_free_point(model, judge, rng) for _ in range(2))
             edges = [_edge(model, judge, rng) for _ in range(20)]
             _judge_all(judge, edges)
@@ -175,14 +156,14 @@ def _checks_among_obstacles(repeats: int) -> Course:
 
 def _reaching(model: RobotModel, rng: np.random.Generator) -> Trajectory:
     """A motion of both arms by some tenths of a radian, from home."""
-    stance = stance_at(model, model.q_home)
-    space = free_coordinates(model, stance)
+    robot = StandingRobot(model, stance_at(model, model.q_home))
+    space = free_coordinates(robot)
     while True:
         ends = space.from_q(model.q_home)[None].repeat(2, axis=0)
         for hand in ("left", "right"):
             for joint in model.description.groups[f"{hand}_arm"]:
                 ends[1, space.index(joint)] += rng.uniform(-0.3, 0.3)
-        trajectory = time_curve(model, space, stance, PolynomialCurve(ends), _PACE)
+        trajectory = time_curve(robot, PolynomialCurve(ends), _PACE)
         if trajectory is not None and isinstance(_check(model, trajectory), CheckedTrajectory):
             return trajectory
 
@@ -193,8 +174,8 @@ def _check(model: RobotModel, trajectory: Trajectory) -> object:
 
 def _along_waypoints(repeats: int) -> list[Course]:
     model = RobotModel(load_description("talos"))
-    stance = stance_at(model, model.q_home)
-    space = free_coordinates(model, stance)
+    robot = StandingRobot(model, stance_at(model, model.q_home))
+    space = free_coordinates(robot)
     judge = TrajectoryChecker(model)
     joints = model.description.groups["left_arm"]
     columns = [space.index(joint) for joint in joints]
@@ -206,7 +187,7 @@ def _along_waypoints(repeats: int) -> list[Course]:
             points = space.from_q(model.q_home)[None].repeat(count, axis=0)
             points[1:, columns] += rng.uniform(-0.25, 0.25, (count - 1, len(columns)))
             curve = RoundedPolyline(points, space.weights, 0.12)
-            make = functools.partial(time_curve, model, space, stance, curve, _PACE)
+            make = functools.partial(time_curve, robot, curve, _PACE)
             trajectory = make()
             one.append(timed_s(make))
             if trajectory is not None:
@@ -225,6 +206,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--repeats", type=int, default=15, metavar="N", help="scenes or paths of each count")
     parser.add_argument("--json", type=Path, metavar="FILE")
     parser.add_argument("--picture", type=Path, metavar="FILE.svg")
+    parser.add_argument("--page", type=Path, metavar="FILE.md")
     options = parser.parse_args(arguments)
     courses = scaling(options.repeats)
     _print(courses, Console())
@@ -232,6 +214,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options.json.write_text(json.dumps([asdict(item) for item in courses], indent=1) + "\n", "utf-8")
     if options.picture is not None:
         options.picture.write_text(picture(courses), "utf-8")
+    if options.page is not None:
+        options.page.write_text(scaling_page(courses, options.repeats), "utf-8")
     return 0
 
 

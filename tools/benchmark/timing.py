@@ -24,7 +24,8 @@ from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from kinematics.arrays import Array
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import BlendedPolyline
 from kinematics.standing.free_coordinates import FreeCoordinates
 from kinematics.timing.curve_speed import CurveGrid
@@ -143,8 +144,8 @@ def _figures(limits: JointLimits, count: int, peer: str, bound: Bound) -> list[F
 
 def _whole_body(model: RobotModel, count: int) -> list[Figure]:
     """Paths that move pelvis, torso and arm, so that the legs have to follow, at the product's pace."""
-    stance = stance_at(model, model.q_home)
-    space = FreeCoordinates(model, stance)
+    robot = StandingRobot(model, stance_at(model, model.q_home))
+    space = FreeCoordinates(robot)
     home = space.from_q(model.q_home)
     columns = [space.index(joint) for group in ("torso", ARM) for joint in model.description.groups[group]]
     milliseconds: list[float] = []
@@ -155,7 +156,7 @@ def _whole_body(model: RobotModel, count: int) -> list[Figure]:
         points[1:, columns] += rng.uniform(-0.3, 0.3, (WAYPOINTS - 1, len(columns)))
         began_s = time.process_time()
         curve = BlendedPolyline(points, space.weights, BLEND)
-        trajectory = time_curve(model, space, stance, curve, Pace(0.5, 0.7))
+        trajectory = time_curve(robot, curve, Pace(0.5, 0.7))
         if seed >= 0 and trajectory is not None:
             milliseconds.append(1e3 * (time.process_time() - began_s))
     return [figure("whole body, legs included: processor time, ms", milliseconds)]

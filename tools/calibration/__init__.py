@@ -1,0 +1,1 @@
+"""How well stated confidences fit, and the line that makes them fit."""

@@ -19,7 +19,7 @@ from tools.calibration.answers import SKILLS, Answer, answers
 from tools.calibration.fit import fitted
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
-from trees.policy import TreePolicy
+from trees.skills.telling.settings import TellingSettings
 from trees.skills.telling.stated_confidence import calibrated
 
 NOISES = {
@@ -65,8 +65,8 @@ def _as_stated_now(answer: Answer) -> Answer:
     """The answer with the confidence that the present policy would state."""
     if answer.raw == 0.0:
         return answer  # there was no answer at all
-    policy = TreePolicy()
-    stated = calibrated(answer.raw, policy.confidence_slope, policy.confidence_offset)
+    settings = TellingSettings()
+    stated = calibrated(answer.raw, settings.confidence_slope, settings.confidence_offset)
     return replace(answer, stated=stated)
 
 

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from executive.session.planning_jobs import PlanningJobs
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
@@ -19,6 +20,8 @@ from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion
 from robots.fake.fake_world import FakeWorld
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_description import SceneDescription
 from robots.seeded import seeded
@@ -59,9 +62,10 @@ class QuickRobot:
 
     def __init__(self, model: RobotModel, scene: SceneDescription, seed: int) -> None:
         chance = seeded(seed)
-        self.world: SimulatedWorld = build_world(model.description, scene, chance.world)
-        planner = MotionPlanner(model)
-        fake = FakeWorld(model, partial(_checked, planner), (), _PERIOD_S)
+        hardware = load_robot(model.description.name).hardware
+        self.world: SimulatedWorld = build_world(RobotData(model.description, hardware), scene, chance.world)
+        checker = TrajectoryChecker(model)
+        fake = FakeWorld(model, hardware, partial(_checked, checker), (), _PERIOD_S)
         fake.motion = QuickMotion(model, fake.clock)
         self._fake = fake
         camera = model.description.camera
@@ -73,7 +77,7 @@ class QuickRobot:
             sensing=fake.sensing,
             grippers=fake.grippers,
             detector=self._eyes,
-            planning=PlanningJobs(planner, fake.clock, lambda _event: None),
+            planning=PlanningJobs(MotionPlanner(model), checker, fake.clock, lambda _event: None),
             world=WorldModel(),
             events=lambda _event: None,
             rng=chance.trees,
@@ -102,8 +106,5 @@ class QuickRobot:
         physics.refresh_after_change()
 
 
-def _checked(planner: MotionPlanner, request: CheckRequest) -> CheckedTrajectory | Unsafe:
-    answer = planner.answer(request)
-    if not isinstance(answer, CheckedTrajectory | Unsafe):
-        raise TypeError(f"a check was answered by {type(answer).__name__}")
-    return answer
+def _checked(checker: TrajectoryChecker, question: CheckRequest) -> CheckedTrajectory | Unsafe:
+    return checker.check(question.trajectory, question.scene, question.concessions)

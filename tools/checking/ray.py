@@ -7,8 +7,7 @@ import pinocchio as pin
 
 from kinematics.arrays import Array
 from kinematics.model.robot_model import RobotModel
-from tools.checking.enclosing_balls import EnclosingBalls
-from tools.checking.solid_world import SolidWorld
+from tools.checking.solid_world import EnclosingBalls, SolidWorld
 
 
 class Ray:

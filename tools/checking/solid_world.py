@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, cached_property
+from functools import cached_property
 
 import coal
 import numpy as np
@@ -13,7 +13,6 @@ from kinematics.arrays import Array
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from tools.checking.enclosing_balls import EnclosingBalls
 
 
 class SolidWorld:
@@ -32,7 +31,7 @@ class SolidWorld:
 
     def __init__(self, model: RobotModel, scene: PlanningScene, only: frozenset[str] | None = None) -> None:
         self._model = model
-        self.geometry = _pristine_hulls(model).copy()
+        self.geometry = model.derived(_pristine_hulls).copy()
         links = [model.link_of(item) for item in self.geometry.geometryObjects]
         own = [(pair.first, pair.second) for pair in self.geometry.collisionPairs]
         self.geometry.removeAllCollisionPairs()
@@ -109,7 +108,6 @@ class SolidWorld:
         return int(self.geometry.addGeometryObject(pin.GeometryObject(item.name, joint, place, solid)))
 
 
-@cache
 def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
     """The robot's links as hulls of their meshes, made here and not by the product."""
     geometry = pin.buildGeomFromUrdfString(
@@ -123,3 +121,33 @@ def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
     for pair in model.geometry().collisionPairs:
         geometry.addCollisionPair(pair)
     return geometry
+
+
+class EnclosingBalls:
+    """A ball about each solid, in its own frame.
+
+    Args:
+        geometry: Solids whose local boxes were computed, and the pairs that are asked about.
+
+    Attributes:
+        enough_m: Distance of the centres of each pair at which the balls just touch, shape (p,).
+    """
+
+    def __init__(self, geometry: pin.GeometryModel) -> None:
+        solids = [item.geometry for item in geometry.geometryObjects]
+        self._centres = np.array([solid.aabb_center for solid in solids])
+        self._radii = np.array([solid.aabb_radius for solid in solids])
+        pairs = np.array([(pair.first, pair.second) for pair in geometry.collisionPairs], np.intp)
+        self._first, self._second = pairs.reshape(-1, 2).T
+        self.enough_m = self._radii[self._first] + self._radii[self._second]
+
+    def centres_m(self, placed: pin.GeometryData) -> Array:
+        """Where they are, shape (n, 3)."""
+        at = np.array([place.homogeneous for place in placed.oMg])
+        return np.asarray(np.einsum("nij,nj->ni", at[:, :3, :3], self._centres) + at[:, :3, 3])
+
+    def gaps_m(self, placed: pin.GeometryData) -> Array:
+        """Gap between the balls of each pair, negative where they overlap, shape (p,)."""
+        centres = self.centres_m(placed)
+        apart = np.linalg.norm(centres[self._first] - centres[self._second], axis=1)
+        return np.asarray(apart - self.enough_m)

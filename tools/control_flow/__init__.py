@@ -1,0 +1,1 @@
+"""What BehaviorTree.CPP itself does with random trees, recorded."""

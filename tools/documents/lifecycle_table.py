@@ -10,7 +10,7 @@ from pathlib import Path
 
 from executive.session.lifecycle import COMMANDS, TRANSITIONS, LifecycleState
 
-DOCUMENT = Path("docs/safety.md")
+DOCUMENT = Path("docs/understand/safety.md")
 BEGIN, END = "<!-- state machine: begin -->", "<!-- state machine: end -->"
 
 

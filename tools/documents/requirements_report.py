@@ -1,8 +1,8 @@
 """``python -m tools.documents.requirements_report``: which requirements are proven by a test, and which
 are not.
 
-The rows are those of ``docs/requirements.md``. A row is proven when at least one test that carries its id
-ran and every one that ran passed; skipped tests prove nothing.
+The rows are those of ``docs/reference/requirements.md``. A row is proven when at least one test that carries
+its id ran and every one that ran passed; skipped tests prove nothing.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import pytest
 from rich.console import Console
 from rich.table import Table
 
-REQUIREMENTS = Path(__file__).parents[2] / "docs" / "requirements.md"
+REQUIREMENTS = Path(__file__).parents[2] / "docs" / "reference" / "requirements.md"
 _ROW = re.compile(r"^\| (?P<id>[A-Z]+\d+) \| (?P<text>.+?) \|(?: (?P<more>.+?) \|)?$")
 
 

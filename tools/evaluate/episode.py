@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import TaskResult, chain
 from executive.understanding.command_parser import parse
@@ -35,7 +35,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
         injector, perception = assembly.world.faults, assembly.perception
         FAULTS[order.fault](FaultBench(TARGET, scene, truth, injector, perception, phases, rng), state)
     (command,) = parse(sentence_for(scene)).commands
-    with settled_heap():
+    with frozen_heap():
         result = session.run_task(command)
         judge.begin_hold()
         session.hold(HELD_S)

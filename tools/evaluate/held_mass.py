@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import chain
 from executive.understanding.command_parser import parse
@@ -46,7 +46,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     judge = Judge(assembly.world.truth, TARGET)
     session.watch_periods(judge.on_period)
     (command,) = parse(sentence_for(scene)).commands
-    with settled_heap():
+    with frozen_heap():
         result = session.run_task(command)
         judge.begin_hold()
         session.hold(HELD_S)

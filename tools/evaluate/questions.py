@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from executive.dialogue.attendant import Nobody
 from executive.dialogue.clarification import OpenQuestion
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.session.assembly import Assembly, assemble
+from executive.session.driver import driven
 from executive.understanding.command_parser import parse
 from robots.scenes.scene_description import SceneDescription, SceneItem
 from tools.evaluate.judge import HELD_S, Judge
@@ -143,7 +144,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     answerer = _Answerer(assembly, trial)
     judge = Judge(truth, trial.meant.name)
     session.watch_periods(judge.on_period)
-    results = drive(Errand(session, parse(trial.sentence).commands).steps(), answerer, session)
+    results = driven(Errand(session, parse(trial.sentence).commands).steps(), answerer.answer)
     judge.begin_hold()
     session.hold(HELD_S)
     last = results[-1]

@@ -22,13 +22,14 @@ from kinematics.collision.validity import validity
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
-from kinematics.ik.pointing import link_moved_by
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.result import DEFAULT_TOLERANCE
 from kinematics.ik.solver import along_line, inverse_kinematics
 from kinematics.model.reachability import Cells, GridAxis, ReachabilityMap
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.path_planner import PathPlanner
 from kinematics.planning.pick_task import APPROACH_M
 from kinematics.planning.planning_task import CARTESIAN_POINTS
@@ -61,10 +62,11 @@ class HandSampler:
         soles = [PlanarPose.of(sole) for _, sole in at_home.soles]
         to_origin = PlanarPose.between(soles[0], soles[-1]).inverse().transform()
         stance = type(at_home)(tuple((name, to_origin @ sole) for name, sole in at_home.soles))
-        self._seed = model.home_over(stance)
-        self._ik = inverse_kinematics(model, stance, hand)
-        self._space = free_coordinates(model, stance)
-        self._judge = PathPlanner(model, self._space, validity(model, stance, PlanningScene(), 0.0, _SELF_M))
+        robot = StandingRobot(model, stance)
+        self._seed = robot.q_home
+        self._ik = inverse_kinematics(robot, hand)
+        self._space = free_coordinates(robot)
+        self._judge = PathPlanner(model, self._space, validity(robot, PlanningScene(), 0.0, _SELF_M))
         shoulder = link_moved_by(model, model.description.groups[f"{hand}_arm"][1])
         self._shoulder_m = model.frame_pose(self._seed, shoulder)[:3, 3]
 

@@ -21,7 +21,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.pick_planner import PickPlanner
 from kinematics.requests.pick import PickRequest
 from kinematics.requests.step import NoPlan
@@ -154,7 +155,7 @@ class Comparison:
 
     def _serves(self, body: PlanarPose, scene: PlanningScene, seed: int) -> bool:
         stance = stance_of(self._stance, self._here, body)
-        q_start = self._model.home_over(stance)
+        q_start = StandingRobot(self._model, stance).q_home
         return not isinstance(
             self._planner.plan(PickRequest(q_start, stance, scene, THING, seed=seed)), NoPlan
         )

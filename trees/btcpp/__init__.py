@@ -1,0 +1,1 @@
+"""Trees as documents of BehaviorTree.CPP: kinds of nodes, reader, writer."""

@@ -45,15 +45,22 @@ def leaf_kind(cls: type[Leaf]) -> NodeKind:
 
 
 def known_leaves() -> Mapping[str, type[Leaf]]:
-    """All leaves by their IDs: those of this package and those of others, in the order of the IDs."""
+    """All leaves by their IDs: those of this package and those of others, in the order of the IDs.
+
+    Raises:
+        ValueError: Two leaves of this package have the same ID.
+    """
     found = {cls.__name__: cls for cls in outside_leaves().leaves}
     for package in (trees.leaves, trees.skills):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             importlib.import_module(module.name)
+    own: dict[str, type[Leaf]] = {}
     for cls in _below(Leaf):
-        if cls.__module__.startswith("trees.") and _is_whole(cls):
-            found[cls.__name__] = cls
-    return dict(sorted(found.items()))
+        if not cls.__module__.startswith("trees.") or not _is_whole(cls):
+            continue
+        if own.setdefault(cls.__name__, cls) is not cls:
+            raise ValueError(f"two leaves are called {cls.__name__}; one is in {cls.__module__}")
+    return dict(sorted({**found, **own}.items()))
 
 
 def _below(cls: type[Leaf]) -> Iterator[type[Leaf]]:

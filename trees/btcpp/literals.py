@@ -1,13 +1,11 @@
 """Settings of nodes as the text of an attribute: numbers, words, gazes, judgements.
 
 Compound values are joined by ";", as BehaviorTree.CPP's own converters do. A judgement (a function that
-tells from a failure what to do) is written as ``module:name``, and read only from packages that hold trees.
+tells from a failure what to do) is written by its name.
 """
 
 from __future__ import annotations
 
-import importlib
-import inspect
 import math
 import types
 import typing
@@ -16,9 +14,8 @@ from dataclasses import fields, is_dataclass
 from enum import Enum
 from typing import Any
 
-from trees.extensions import extensions
-
-_OWN_PACKAGE = "trees"
+from trees.btcpp.judgement_names import judgement_called, name_of
+from trees.nodes.judgements import Judgement
 
 
 def to_text(value: Any) -> str:
@@ -39,6 +36,8 @@ def to_text(value: Any) -> str:
         if ";" in value or value.startswith("{"):
             raise ValueError(f"{value!r} cannot be told from a list or a reference")
         return value
+    if isinstance(value, Judgement):
+        return name_of(value)
     if is_dataclass(value) and not isinstance(value, type):
         return ";".join(to_text(getattr(value, field.name)) for field in fields(value))
     if isinstance(value, frozenset):
@@ -46,7 +45,7 @@ def to_text(value: Any) -> str:
     if isinstance(value, Sequence):
         return ";".join(map(to_text, value))
     if isinstance(value, types.FunctionType):
-        return _function_name(value)
+        raise ValueError(f"the function {value.__qualname__} has no name: declare it with @judgement")
     raise ValueError(f"a {type(value).__name__} cannot be written")
 
 
@@ -87,7 +86,7 @@ def from_text(text: str, hint: Any) -> Any:
     if origin is tuple or (isinstance(origin, type) and issubclass(origin, Sequence)):
         return tuple(from_text(part, arguments[0]) for part in text.split(";"))
     if origin is not None and origin is typing.get_origin(Callable[[], None]):
-        return _function(text, arguments)
+        return _judgement(text, arguments[0])
     raise ValueError(f"a value of {hint} cannot be read")
 
 
@@ -114,27 +113,9 @@ def _compound(text: str, hint: type[Any]) -> Any:
     return hint(**{name: from_text(part, kinds[name]) for name, part in zip(names, parts, strict=False)})
 
 
-def _function_name(function: types.FunctionType) -> str:
-    if "<" in function.__qualname__ or "." in function.__qualname__:
-        raise ValueError(f"{function.__qualname__} has no name of its own: make it a function of a module")
-    return f"{function.__module__}:{function.__name__}"
-
-
-def _function(text: str, arguments: tuple[Any, ...]) -> Any:
-    """A judgement by its name: nothing but functions of the right form, from where trees come from."""
-    module, _, name = text.partition(":")
-    known = {_OWN_PACKAGE, *extensions().packages}
-    if module.partition(".")[0] not in known or not name.isidentifier():
-        raise ValueError(f"{text!r} is no judgement of {', '.join(sorted(known))}")
-    try:
-        found = getattr(importlib.import_module(module), name, None)
-    except ImportError:
-        found = None
-    wanted, answer = arguments
-    if not isinstance(found, types.FunctionType) or found.__module__ != module:
-        raise ValueError(f"there is no judgement {text!r}")
-    hints = typing.get_type_hints(found)
-    taken = [hints.get(one) for one in inspect.signature(found).parameters]
-    if taken != list(wanted) or hints.get("return") is not answer:
-        raise ValueError(f"{text!r} judges something else")
+def _judgement(text: str, takes: Sequence[Any]) -> Judgement[...]:
+    found = judgement_called(text, takes)
+    if found.takes != tuple(takes):
+        judges, asked = (", ".join(map(type_name, one)) for one in (found.takes, takes))
+        raise ValueError(f"{found.name!r} judges {judges}; here {asked} is to be judged")
     return found

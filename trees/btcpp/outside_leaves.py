@@ -7,8 +7,10 @@ cannot be loaded is left out, and its error is kept to be told.
 from __future__ import annotations
 
 import importlib.metadata
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from types import MappingProxyType
 from typing import Any
 
 from trees.extensions import LEAVES
@@ -22,11 +24,11 @@ def outside_leaves() -> OutsideLeaves:
 
 @dataclass(frozen=True, slots=True)
 class OutsideLeaves:
-    """Leaves of other packages.
+    """The classes of leaves that other packages bring, as far as they could be loaded.
 
     Attributes:
         leaves: Their classes.
-        complaints: Why an entry point was left out, one line each.
+        complaints: Why an entry point was not loaded, one line each.
     """
 
     leaves: tuple[type[Any], ...]
@@ -37,18 +39,43 @@ def load_leaves(points: Any) -> OutsideLeaves:
     """Load entry points of leaves, those with the smaller names first."""
     from trees.nodes.leaf import Leaf  # it loads what leaves act on
 
-    leaves: dict[str, type[Any]] = {}
+    def called(found: Any) -> str:
+        if not (isinstance(found, type) and issubclass(found, Leaf) and hasattr(found, "CONTRACT")):
+            raise ValueError("is no leaf with a contract")
+        return found.__name__
+
+    leaves, complaints = load_declared(points, "leaf", called)
+    return OutsideLeaves(tuple(leaves.values()), complaints)
+
+
+def load_declared(
+    points: Any, what: str, called: Callable[[Any], str]
+) -> tuple[Mapping[str, Any], tuple[str, ...]]:
+    """Load entry points, those with the smaller names first; one whose name is taken is left out.
+
+    Args:
+        points: Entry points of one group.
+        what: What they bring, in a word.
+        called: Tells the name of what was loaded; raises ValueError with what is wrong with it.
+
+    Returns:
+        What was loaded, by name, and why an entry point was left out, one line each.
+    """
+    found: dict[str, Any] = {}
     complaints = []
     for point in sorted(points, key=lambda one: str(one.name)):
         try:
-            found = point.load()
+            one = point.load()
         except Exception as broken:
-            complaints.append(f"leaf {point.name!r}: {type(broken).__name__}: {broken}")
+            complaints.append(f"{what} {point.name!r}: {type(broken).__name__}: {broken}")
             continue
-        if not (isinstance(found, type) and issubclass(found, Leaf) and hasattr(found, "CONTRACT")):
-            complaints.append(f"leaf {point.name!r} is no leaf with a contract")
-        elif found.__name__ in leaves:
-            complaints.append(f"leaf {point.name!r}: there is a leaf {found.__name__} already")
+        try:
+            name = called(one)
+        except (NameError, ValueError) as wrong:
+            complaints.append(f"{what} {point.name!r}: {wrong}")
+            continue
+        if name in found:
+            complaints.append(f"{what} {point.name!r}: there is a {what} {name!r} already")
         else:
-            leaves[found.__name__] = found
-    return OutsideLeaves(tuple(leaves.values()), tuple(complaints))
+            found[name] = one
+    return MappingProxyType(found), tuple(complaints)

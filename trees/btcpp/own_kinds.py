@@ -9,7 +9,7 @@ from typing import Any
 
 from py_trees.behaviour import Behaviour
 
-from trees.btcpp.literals import to_text, type_name
+from trees.btcpp.literals import type_name
 from trees.btcpp.node_kind import NodeKind, Parts, Port
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
@@ -28,9 +28,8 @@ JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
 JUDGES_ATTEMPTS = Callable[[Failure, Failure | None], bool]
 
 
-def _literal(name: str, hint: Any, description: str, default: Any = None) -> Port:
-    text = None if default is None else to_text(default)
-    return Port(name, "input", type_name(hint), hint, text, description)
+def _literal(name: str, hint: Any, description: str, default: str | None = None) -> Port:
+    return Port(name, "input", type_name(hint), hint, default, description)
 
 
 def _failure(direction: Any) -> Port:
@@ -58,8 +57,10 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
         lambda parts: Alternatives(parts.name, parts.children, **parts.settings),
         lambda node: {"hopeless": node.hopeless, "worth_trying": node.worth_trying},
         (
-            _literal("hopeless", JUDGES, "after such a failure no other way can help", defect),
-            _literal("worth_trying", JUDGES_WAYS, "a way is tried after such a failure", always_worth_trying),
+            _literal("hopeless", JUDGES, "after such a failure no other way can help", defect.name),
+            _literal(
+                "worth_trying", JUDGES_WAYS, "a way is tried after such a failure", always_worth_trying.name
+            ),
         ),
         (1, 1000),
     ),

@@ -1,0 +1,1 @@
+"""Leaves that several skills use."""

@@ -16,7 +16,12 @@ _GRASP_STAGES = frozenset({"approach", "grasp", "lift", "push"})
 
 
 class ExcludeGrasp(Leaf):
-    """Add the grasp to those tried in vain when it is to blame; start afresh when none is left."""
+    """Note after a failed attempt which grasp is not to be tried again.
+
+    It is noted if the failure was its fault: at approach, closing or lift, or because the checker refused its
+    motion. When the planner found no grasp at all, those that were noted are forgotten, so that the next
+    attempt may use them again.
+    """
 
     INPUT_PORTS = ports(
         failure=Failure, grasp=optional(Grasp), tried=PortInformation(frozenset, default_value=frozenset())

@@ -12,7 +12,7 @@ from trees.nodes.ports import ports
 
 
 class GoHome(PlannedMotionLeaf):
-    """Bring arms, trunk and head home; hands stay as they are, with what they hold."""
+    """Bring arms, trunk and head to the home posture; fingers stay as they are, with what they hold."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

@@ -17,11 +17,10 @@ _SAFE_DROP_M = 0.015
 
 
 class Release(MotionLeaf):
-    """Open the hand of the last grasp, and forget what the scene says that it holds.
+    """Open the hand of the last grasp, and take what it held out of the planning scene.
 
-    Without a grasp of this task it is the hand that an earlier one left at a handle.
-
-    What the gripper measures to hold in the air is kept, and the leaf fails saying so.
+    When this task has not grasped anything, it opens the hand that an earlier task left at a handle. A hand
+    that still holds something in the air is not opened, since that would fall: the leaf fails and says so.
     """
 
     INPUT_PORTS = ports(grasp=optional(Grasp))

@@ -15,7 +15,7 @@ from trees.port_values import CheckedStep
 
 
 class StreamMotion(MotionLeaf):
-    """Stream one checked trajectory, and measure that the joints arrived."""
+    """Stream the trajectory of one checked step, and measure that the joints have arrived at its end."""
 
     INPUT_PORTS = ports(checked=CheckedStep)
     OUTPUT_PORTS = ports()

@@ -14,13 +14,14 @@ from trees.nodes.judgements import always_worth_trying, defect
 
 
 class Alternatives(Composite):
-    """A selector with memory that gives up early when no other way can help.
+    """A selector with memory: it tries one child after the other, and stops early when no other can help.
 
-    Its failure is that of the last way tried.
+    Its failure is that of the last child that was tried.
 
     Attributes:
         failure: Why it failed; None otherwise.
-        hopeless, worth_trying: The judgements that it was made with.
+        hopeless, worth_trying: The judgements that it was made with: whether a failure makes all other
+            children useless, and whether a child is worth trying after it.
     """
 
     def __init__(

@@ -8,7 +8,7 @@ from py_trees.common import Status
 
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.toolbox import Toolbox
 
@@ -48,4 +48,4 @@ def arrival(leaf: Leaf, checked: CheckedTrajectory, by_s: float) -> Status | Fai
         joint=joint,
         error_rad=error,
         tolerance_rad=tolerance,
-    )
+    ).because(Reason.NOT_FOLLOWED)

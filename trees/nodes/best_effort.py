@@ -11,7 +11,7 @@ from trees.nodes.judgements import defect
 
 
 class BestEffort(Decorator):
-    """Succeeds when its child ends, whether or not it succeeded; only a defect is passed on."""
+    """Succeeds once its child has ended, even if the child failed; only a defect makes it fail."""
 
     transparent = True
 

@@ -13,7 +13,9 @@ from trees.nodes.failure_chain import failure_of
 
 
 class CleanUp(Composite):
-    """Ticks ``main``; when that fails, ticks ``after`` and fails with the failure of ``main``.
+    """Ticks ``main``; when that fails, ticks ``after`` to tidy up, and fails with the failure of ``main``.
+
+    What ``after`` comes to makes no difference.
 
     Attributes:
         failure: Why ``main`` failed; None otherwise.

@@ -13,7 +13,9 @@ from trees.toolbox import Pauses
 
 
 class Deadline(Decorator):
-    """Fails with a timeout when its child has not ended in time, pauses left out; the child is halted.
+    """Halts its child and fails with a timeout when the child has not ended in time.
+
+    Time is that of the injected clock; pauses do not count.
 
     Attributes:
         deadline_s: The limit.

@@ -1,38 +1,113 @@
-"""Judgements of failures that control nodes are made with; stored trees call them by their names."""
+"""Judgements: what control nodes ask of a failure, under names that stored trees call them by.
+
+"No other way helps", "tidying up helps": such a question is a function of the failure, declared with
+``@judgement`` where it belongs, and is known in stored trees by the function's name, whatever module that
+stands in. Names are unique over all skills. Here are those that several skills share.
+"""
 
 from __future__ import annotations
+
+import inspect
+import typing
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Generic, ParamSpec
 
 from py_trees.behaviour import Behaviour
 
 from trees.failures import Failure, FailureKind
 
+Judged = ParamSpec("Judged")
 
+
+@dataclass(frozen=True)
+class Judgement(Generic[Judged]):
+    """A question to a failure that a control node is made with; called as the function that answers it.
+
+    Attributes:
+        function: Answers it; its parameters are annotated.
+    """
+
+    function: Callable[Judged, bool]
+
+    def __call__(self, *judged: Judged.args, **named: Judged.kwargs) -> bool:
+        """The answer."""
+        return self.function(*judged, **named)
+
+    @property
+    def name(self) -> str:
+        """What stored trees call it."""
+        return self.function.__name__
+
+    @property
+    def package(self) -> str:
+        """The top-level package that it comes from."""
+        return self.function.__module__.partition(".")[0]
+
+    @property
+    def meaning(self) -> str:
+        """The first paragraph of its docstring, in one line."""
+        return " ".join((inspect.getdoc(self.function) or "").partition("\n\n")[0].split())
+
+    @cached_property
+    def takes(self) -> tuple[Any, ...]:
+        """Types of what it judges, in order; None where one is not annotated.
+
+        Raises:
+            NameError: An annotation names what its module does not have.
+        """
+        hints = typing.get_type_hints(self.function)
+        return tuple(hints.get(name) for name in inspect.signature(self.function).parameters)
+
+    def __repr__(self) -> str:
+        return f"<judgement {self.name}>"
+
+
+def judgement(function: Callable[Judged, bool]) -> Judgement[Judged]:
+    """Declare a judgement: ``@judgement`` above a function of a module.
+
+    Raises:
+        ValueError: The function has no public name, by which a stored tree could call it.
+    """
+    name = function.__name__
+    if not name.isidentifier() or name.startswith("_"):
+        raise ValueError(f"{name} cannot be declared a judgement: it needs a public name, for stored trees")
+    return Judgement(function)
+
+
+@judgement
 def no_pick_helps(failure: Failure) -> bool:
     """A defect, or several objects that fit: that takes an answer."""
     return defect(failure) or bool(failure.choices)
 
 
+@judgement
 def defect(failure: Failure) -> bool:
     """No other way helps against a defect or a halt."""
     return failure.kind in (FailureKind.ERROR, FailureKind.CANCELED)
 
 
+@judgement
 def always_worth_trying(_way: Behaviour, _failure: Failure | None) -> bool:
     """Every way, whatever failed before."""
     return True
 
 
+@judgement
 def looking_elsewhere_is_useless(failure: Failure) -> bool:
     """A defect, or several objects in view that fit: that takes an answer, not another look."""
     return defect(failure) or bool(failure.choices)
 
 
-def _tidying_helps(failure: Failure) -> bool:
+@judgement
+def tidying_helps(failure: Failure) -> bool:
     """Not after a defect; and while a question is open nothing moves."""
     return not defect(failure) and not failure.choices
 
 
+@judgement
 def no_other_attempt_helps(failure: Failure, before: Failure | None) -> bool:
-    """A defect, or the planner's second no in a row: it has been asked from home, with a new look."""
+    """A defect, a question, or the planner's second no in a row: it has been asked anew in between."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
     return defect(failure) or bool(failure.choices) or twice

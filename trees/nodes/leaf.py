@@ -7,37 +7,38 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
+from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard, Client
 from py_trees.common import Status
-from py_trees.ports import BehaviourWithPorts, NoDataAvailable, PortInformation
+from py_trees.ports import NoDataAvailable, PortInformation
 
 from trees.events import LeafFailed, Measured, NotSo
 from trees.failures import Failure, FailureKind, Number
 from trees.nodes.contract import Contract
 from trees.nodes.failure_chain import place_of
 from trees.nodes.leaf_settings import settings_of
-from trees.nodes.py_trees_patch import ask_once
+from trees.nodes.ports import WithPorts
 from trees.toolbox import Toolbox
 
 RUNNING = Status.RUNNING
 DONE = Status.SUCCESS
 
-ask_once()
 
-
-class Leaf(BehaviourWithPorts):
+class Leaf(WithPorts, Behaviour):
     """A behavior that does one thing.
 
-    A subclass declares ``INPUT_PORTS``, ``OUTPUT_PORTS`` and ``CONTRACT``, and fills in ``begin``,
-    ``step`` and ``release``. This class owns the rest: the deadline on the injected clock, an
-    exception becoming a failure, the failure's place in the tree, events, and that whatever was
-    started is released when the leaf ends in any way but success.
+    A subclass declares ``INPUT_PORTS``, ``OUTPUT_PORTS`` and ``CONTRACT``, and fills in ``begin``, ``step``
+    and ``release``. This class does the rest. It holds the deadline on the injected clock, turns an exception
+    into a failure, notes the place of a failure in the tree, puts out events, and calls ``release`` when the
+    leaf ends in any way but success, so that nothing that it started goes on.
 
     Attributes:
-        ASKS: Whether it only asks if something is so: that it is not is an answer then, no failure to people.
+        ASKS: Whether the leaf only asks if something is so. That it is not so is then an answer (``NotSo``),
+            and is not told to people as a failure.
         failure: Why it failed or was cancelled, since its last start; None otherwise.
-        halt_reason: What a halt is reported with; set by whoever halts the tree.
-        wiring: Port name to the key it is wired to; ports that are left out have a key of their name.
+        halt_reason: The reason that a halt is reported with; whoever halts the tree sets it.
+        wiring: The key of the blackboard that each port is connected to, by the port's name. A port that is
+            left out is connected to the key of its own name.
     """
 
     INPUT_PORTS: dict[str, PortInformation]

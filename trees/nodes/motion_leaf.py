@@ -10,7 +10,11 @@ from trees.nodes.leaf import DONE, RUNNING, Leaf
 
 
 class MotionLeaf(Leaf):
-    """Starts one motion, follows its handle, cancels it when the leaf ends early."""
+    """A leaf that makes one motion.
+
+    It starts the motion, follows its handle, and cancels it when the leaf is halted or fails before the
+    motion has ended.
+    """
 
     _handle: MotionHandle | None = None
 

@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 from kinematics.motion.verdict import Unsafe
-from kinematics.requests.step import NoPlan
-from trees.failures import Failure, FailureKind
+from kinematics.requests.step import NoPlan, WhyNoPlan
+from trees.failures import Failure, FailureKind, Reason
+
+_REASONS = MappingProxyType(
+    {
+        WhyNoPlan.NO_WAY: Reason.KIND_ONLY,
+        WhyNoPlan.NO_GRASP: Reason.NO_GRASP,
+        WhyNoPlan.TOO_WIDE: Reason.TOO_WIDE,
+        WhyNoPlan.NO_SPOT_IS_REACHED: Reason.NO_WAY_TO_SPOT,
+    }
+)
+"""What the planners tell apart, as failures name it."""
 
 
 def no_plan_failure(answer: NoPlan) -> Failure:
@@ -15,7 +27,8 @@ def no_plan_failure(answer: NoPlan) -> Failure:
     reasons = answer.reasons
     if sum(reasons.values()) == 1:
         reasons = {reason: 1 for reason in reasons if reason not in answer.message}
-    return Failure(FailureKind.INFEASIBLE, answer.message, {**reasons, **answer.numbers})
+    numbers = {**reasons, **answer.numbers}
+    return Failure(FailureKind.INFEASIBLE, answer.message, numbers, reason=_REASONS[answer.why])
 
 
 def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
@@ -23,8 +36,8 @@ def unsafe_failure(name: str, unsafe: Unsafe) -> Failure:
     first = unsafe.findings[0]
     return Failure.unsafe(
         f"{unsafe}",
+        finding=first,
         step=name,
-        finding=first.kind.value,
         subject=" and ".join(first.subject),
         t_s=first.t_s,
         value=first.value,
@@ -41,4 +54,4 @@ def why_stale(name: str, planned_for: int, now: int) -> Failure | None:
         f"the plan of {name} is stale: the scene has changed since",
         planned_for=planned_for,
         scene_version=now,
-    )
+    ).because(Reason.STALE_PLAN)

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from py_trees.common import Status
 
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
-from kinematics.requests.gesture import GestureRequest
-from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.request import Request
 from kinematics.requests.step import NoPlan
-from kinematics.requests.view import ViewRequest
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import Failure
 from trees.nodes.arrival import arrival
@@ -21,12 +18,14 @@ from trees.toolbox import Job
 
 
 class PlannedMotionLeaf(Leaf):
-    """Plan, check, stream and measure the arrival of one motion, in one leaf.
+    """A leaf that has one motion planned and checked, makes it, and measures that the joints have arrived.
 
-    For motions that are a means to something else: looking somewhere, backing out, going home.
+    It is for motions that are a means to something else, such as looking somewhere, drawing a hand back, or
+    going home.
     """
 
-    _job: Job | None = None
+    _job: Job[MovePlan | NoPlan] | None = None
+    _check: Job[CheckedTrajectory | Unsafe] | None = None
     _checked: CheckedTrajectory | None = None
     _handle: MotionHandle | None = None
     _arrived_by_s: float = 0.0
@@ -34,7 +33,7 @@ class PlannedMotionLeaf(Leaf):
     _refused: Failure | None = None
     _planned_anew: bool = False
 
-    def goal(self) -> MoveRequest | RetreatRequest | GestureRequest | ViewRequest | Failure | None:
+    def goal(self) -> Request[MovePlan | NoPlan] | Failure | None:
         """What to plan; None when the robot is there already, or why there is nothing to plan."""
         raise NotImplementedError
 
@@ -46,7 +45,7 @@ class PlannedMotionLeaf(Leaf):
 
     def begin(self) -> None:
         """Submit the planning job."""
-        self._job = self._checked = self._handle = None
+        self._job = self._check = self._checked = self._handle = None
         self._world_version = self.toolbox.world.scene.version
         self._refused, self._planned_anew = None, False
         goal = self.goal()
@@ -62,29 +61,36 @@ class PlannedMotionLeaf(Leaf):
             return self._refused
         if self._handle is not None:
             return self._follow(self._handle)
-        if self._job is None:
-            self.feedback_message = "already there"
-            return DONE
-        if not self._job.done:
+        if self._check is not None:
+            return self._judged(self._check)
+        if self._job is not None:
+            return self._planned(self._job)
+        self.feedback_message = "already there"
+        return DONE
+
+    def _planned(self, job: Job[MovePlan | NoPlan]) -> Status | Failure:
+        """Have the plan checked, once it is there."""
+        if not job.done:
             return RUNNING
-        answer: Any = self._job.result()
-        self._job = None
+        answer, self._job = job.result(), None
         if isinstance(answer, NoPlan):
             return no_plan_failure(answer)
-        if isinstance(answer, Unsafe):
-            return self._once_more(answer)
-        if isinstance(answer, MovePlan):
-            self._job = self.toolbox.planning.submit(answer.step.question)
-            self.feedback_message = "checking"
+        self._check = self.toolbox.planning.check(answer.step.question)
+        self.feedback_message = "checking"
+        return RUNNING
+
+    def _judged(self, check: Job[CheckedTrajectory | Unsafe]) -> Status | Failure:
+        """Begin the motion, once it is judged to be safe."""
+        if not check.done:
             return RUNNING
-        if isinstance(answer, CheckedTrajectory):
-            return self._start(answer)
-        raise TypeError(f"the planner answered {type(answer).__name__} to {self.name}")
+        verdict, self._check = check.result(), None
+        return self._once_more(verdict) if isinstance(verdict, Unsafe) else self._start(verdict)
 
     def release(self, reason: str) -> None:
         """Forget the job; brake and hold."""
-        if self._job is not None:
-            self._job.cancel()
+        for job in (self._job, self._check):
+            if job is not None:
+                job.cancel()
         if self._handle is not None and not self._handle.finished:
             self.toolbox.motion.cancel(self._handle, reason)
 

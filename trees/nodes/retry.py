@@ -7,18 +7,17 @@ from collections.abc import Callable, Iterator, Mapping
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite
-from py_trees.ports import PortsMixin
 
 from trees.failures import Failure
 from trees.nodes.failure_chain import failure_of, followed_by
-from trees.nodes.ports import ports
+from trees.nodes.ports import WithPorts, ports
 
 
-class Retry(PortsMixin, Composite):
-    """Ticks ``attempt``; when it fails, ticks ``recover`` and starts over, up to a number of attempts.
+class Retry(WithPorts, Composite):
+    """Ticks ``attempt``; when that fails, ticks ``recover`` and tries again, up to a number of attempts.
 
-    Gives up before that when the failure is hopeless, or when the recovery itself fails. Its failure
-    is the last attempt's, caused by the earlier ones.
+    It gives up earlier when the failure is hopeless, or when the recovery itself fails. Its failure is that
+    of the last attempt, with those of earlier attempts as causes.
 
     Attributes:
         failure: Why it gave up; None otherwise.

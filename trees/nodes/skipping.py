@@ -7,14 +7,13 @@ from collections.abc import Iterator, Mapping
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
-from py_trees.ports import PortsMixin
 
 from trees.failures import Failure, FailureKind
-from trees.nodes.ports import ports
+from trees.nodes.ports import WithPorts, ports
 
 
-class Skipping(PortsMixin, Decorator):
-    """Ticks its child while ``needed`` when it begins; otherwise succeeds at once.
+class Skipping(WithPorts, Decorator):
+    """Ticks its child if ``needed`` says so when it begins; otherwise it succeeds at once.
 
     A subclass declares ``INPUT_PORTS`` and ``OUTPUT_PORTS``, and fills in ``needed``.
     """
@@ -50,10 +49,10 @@ class Skipping(PortsMixin, Decorator):
 
 
 class OnlyAfter(Skipping):
-    """Ticks its child when the failure at its port is of one of the kinds; otherwise succeeds at once.
+    """Ticks its child only after a failure of certain kinds, read from a port; otherwise succeeds at once.
 
     Attributes:
-        kinds: The kinds.
+        kinds: The kinds of failure after which the child is ticked.
     """
 
     INPUT_PORTS = ports(failure=Failure)
@@ -69,7 +68,7 @@ class OnlyAfter(Skipping):
 
 
 class UnlessHeld(Skipping):
-    """Ticks its child when what is meant is in no hand; otherwise succeeds at once."""
+    """Ticks its child if no hand holds the object that the task means; otherwise succeeds at once."""
 
     INPUT_PORTS = ports(in_hand=bool)
     OUTPUT_PORTS = ports()
@@ -83,7 +82,7 @@ class UnlessHeld(Skipping):
 
 
 class IfShifted(Skipping):
-    """Ticks its child when what is carried has shifted; otherwise succeeds at once."""
+    """Ticks its child if the object in the hand has shifted there, so that plans are void; else succeeds."""
 
     INPUT_PORTS = ports(shifted=bool)
     OUTPUT_PORTS = ports()

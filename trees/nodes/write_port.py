@@ -7,16 +7,15 @@ from typing import Any
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
-from py_trees.ports import PortsMixin
 
-from trees.nodes.ports import ports
+from trees.nodes.ports import WithPorts, ports
 
 
-class Given(PortsMixin, Behaviour):
-    """Writes one value to the key "given", and succeeds; wire it to where the value is wanted."""
+class WritePort(WithPorts, Behaviour):
+    """Writes a value that is known before the tree begins to its output port, and succeeds."""
 
     INPUT_PORTS = ports()
-    OUTPUT_PORTS = ports(given=object)
+    OUTPUT_PORTS = ports(value=object)
 
     def __init__(self, name: str, key: str, value: Any) -> None:
         """Make the node.
@@ -27,14 +26,14 @@ class Given(PortsMixin, Behaviour):
             value: What goes there.
         """
         super().__init__(name)
-        self.wiring: Mapping[str, str] = {"given": key}
+        self.wiring: Mapping[str, str] = {"value": key}
         self._value = value
 
     def wire(self, namespace: str) -> None:
         """Connect the port inside a tree's namespace."""
-        self.setup_ports({"given": self.wiring["given"]}, namespace)
+        self.setup_ports({"value": self.wiring["value"]}, namespace)
 
     def update(self) -> Status:
         """Write it."""
-        self._set_output("given", self._value)
+        self._set_output("value", self._value)
         return Status.SUCCESS

@@ -16,9 +16,11 @@ _STOPPED_S = 0.6
 
 
 class YieldingLeaf(MotionLeaf):
-    """Starts one yielding hand, follows it, cancels it when the leaf ends early.
+    """A leaf whose hand moves along a path and gives way to what it holds or meets.
 
-    What the online checker refuses on the way fails once the robot rests: a recovery begins with a finger.
+    It starts the motion, follows it, and cancels it when the leaf ends early. When the online checker refuses
+    the motion on its way, the leaf waits until the robot has come to rest before it fails: the recovery that
+    follows begins by moving fingers, which must not happen during the stop.
     """
 
     _yielding: YieldingMotion | None = None

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from kinematics.model.robot_description import Hand
 from trees.beliefs.scene.held_object import HeldObject, fits
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.tasks import Thing
 from trees.toolbox import Toolbox
-
-LOST = "lost"
-"""Among the numbers of a failure: a hand lost what it carried."""
 
 
 def held_object(toolbox: Toolbox, wanted: Thing | None, hand: Hand | None) -> HeldObject | Failure:
@@ -58,5 +55,4 @@ def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
     return Failure.postcondition(
         f"the {held.name} slipped out of the {held.hand} hand, or was taken out of it",
         opening_m=toolbox.grippers[held.hand].reading().opening_m,
-        lost=True,
-    )
+    ).because(Reason.SLIPPED)

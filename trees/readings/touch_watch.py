@@ -16,11 +16,13 @@ _SHARE = 0.3
 
 
 class TouchWatch:
-    """The force on a hand, averaged, against what it was at rest; fed once a tick.
+    """Feels that what a hand holds touches something, by the averaged force against that at rest.
+
+    It is given one reading each tick.
 
     Attributes:
-        rest_n: Mean force of the readings that were taken as those at rest, shape (3,).
-        force_n: Averaged force now, shape (3,).
+        rest_n: Mean force of the readings at rest, shape (3,).
+        force_n: The averaged force now, shape (3,).
     """
 
     def __init__(self, toolbox: Toolbox, hand: Hand) -> None:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import tidying_helps
 from trees.toolbox import Toolbox
 
 
@@ -31,8 +30,4 @@ def tidily(name: str, children: list[Behaviour], toolbox: Toolbox, timeout_s: fl
     main = _Main("do", memory=True, children=children)
     limit_s = toolbox.policy.task_timeout_s if timeout_s is None else timeout_s
     timed = Deadline("in time", main, limit_s, toolbox.clock, toolbox.pauses)
-    return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=_tidying_helps)
-
-
-def _tidying_helps(failure: Failure) -> bool:
-    return not defect(failure) and not failure.choices
+    return CleanUp(name, timed, GoHome("go home", toolbox), worth_it=tidying_helps)

@@ -16,8 +16,9 @@ from executive.cli.commands.choices import (
     PolicyChoice,
     PolicyOption,
     not_empty,
+    number_from,
+    whole_number_from,
 )
-from executive.cli.commands.numbers import number_from, whole_number_from
 from executive.config import use_config
 from executive.errors import NotWritableError
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE

@@ -2,17 +2,53 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from executive.cli.commands.numbers import number_from
+
+def number_from(low: float, high: float) -> Callable[[str | float], float]:
+    """A reader of numbers in a range; typer hands it defaults as numbers."""
+
+    def read(text: str | float) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not low <= value <= high:
+            raise typer.BadParameter(f"{text!r} is not a number from {low:g} to {high:g}")
+        return value
+
+    return read
+
+
+def whole_number_from(low: int, high: int | None = None) -> Callable[[str | int], int]:
+    """A reader of whole numbers from ``low`` on, to ``high`` if there is one; as ``number_from``."""
+    allowed = f"{low} or more" if high is None else f"from {low} to {high}"
+
+    def read(text: str | int) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            value = low - 1
+        if value < low or (high is not None and value > high):
+            raise typer.BadParameter(f"{text!r} is not a whole number {allowed}")
+        return value
+
+    return read
+
 
 ConfigOption = Annotated[
     Path | None,
     typer.Option("--config", metavar="FILE.toml", help="A TOML file with words of your own."),
+]
+
+FolderOption = Annotated[
+    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
 ]
 
 
@@ -32,7 +68,7 @@ class OnQuestionChoice(StrEnum):
 
 
 class PolicyChoice(StrEnum):
-    """What happens below the confidence."""
+    """What happens to a model's step whose confidence is too low."""
 
     ASK = "ask"
     PARTIAL = "partial"

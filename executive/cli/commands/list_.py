@@ -18,28 +18,6 @@ class What(StrEnum):
     WORDS = "words"
 
 
-_EXAMPLES = {
-    "pick": "pick up the red cup on the table",
-    "place": "put the red cup next to the bottle",
-    "put_in": "put the can in the box",
-    "hand_over": "give the red cup to Ana",
-    "open": "open the fridge",
-    "close": "close the drawer",
-    "walk_to": "walk to the table",
-    "move": "move forward for 2 seconds",
-    "wave": "wave at Ana",
-    "point_at": "point at the blue box",
-    "look_at": "look at the red cup",
-    "find": "find the red cup",
-    "count": "how many cups are there",
-    "describe": "what is on the table",
-    "say": "say hello",
-    "wait": "wait 5 seconds",
-    "go_home": "go home",
-    "stop": "stop",
-}
-
-
 def list_(what: Annotated[What, typer.Argument(help="What to list.")]) -> None:
     """List robots, scenes, skills or words."""
     for line in _lines(what):
@@ -65,16 +43,17 @@ def _lines(what: What) -> Iterator[str]:
 
 
 def _skills() -> Iterator[str]:
+    from trees.btcpp.judgement_names import outside_judgements
     from trees.btcpp.outside_leaves import outside_leaves
-    from trees.build import SKILLS
     from trees.extensions import extensions
+    from trees.registry import skills
 
-    for action in [*(task.action for task in SKILLS), "stop"]:
-        yield f"{action:<10} {_EXAMPLES.get(action, '')}".rstrip()
-    for action, skill in sorted(extensions().skills.items()):
+    for action, skill in skills().items():
         yield f"{action:<10} {skill.example}"
+    yield f"{'stop':<10} stop"
     yield from _left_out(extensions().complaints)
     yield from _left_out(outside_leaves().complaints)
+    yield from _left_out(outside_judgements().complaints)
 
 
 def _complaints_about(kind: str) -> Iterable[str]:

@@ -6,7 +6,7 @@ import getpass
 
 import typer
 
-from executive.cli.commands.serve import FolderOption
+from executive.cli.commands.choices import FolderOption
 from executive.config import runtime_directory
 from executive.exit_codes import ExitCode
 

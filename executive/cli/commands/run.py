@@ -19,9 +19,9 @@ from executive.cli.commands.choices import (
     PolicyChoice,
     PolicyOption,
     not_empty,
+    whole_number_from,
 )
-from executive.cli.commands.numbers import whole_number_from
-from executive.cli.commands.print_result import tell_result
+from executive.cli.standard_streams import tell_result
 from executive.config import runs_directory, use_config
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
 from executive.trust import THRESHOLD, Trust

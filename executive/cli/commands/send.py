@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from executive.cli.commands.print_result import tell_result
-from executive.cli.commands.serve import FolderOption
+from executive.cli.commands.choices import FolderOption
+from executive.cli.standard_streams import tell_result
 from executive.config import runtime_directory
 from executive.exit_codes import ExitCode
 

@@ -10,11 +10,12 @@ import typer
 from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
+    FolderOption,
     PolicyChoice,
     PolicyOption,
     not_empty,
+    whole_number_from,
 )
-from executive.cli.commands.numbers import whole_number_from
 from executive.config import (
     config_files,
     leave_opengl_to_the_renderer,
@@ -24,10 +25,6 @@ from executive.config import (
 )
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.trust import THRESHOLD, Trust
-
-FolderOption = Annotated[
-    Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
-]
 
 _PACES = {"real": 1.0, "fast": 10.0}
 _SLOWEST, _FASTEST = 0.01, 10.0
@@ -81,7 +78,7 @@ def serve(
     from executive.runs.run_log import require_recordable
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
-    from robots.models.description import load_description_for_tasks
+    from robots.models.description import load_robot_for_tasks
     from robots.scenes.scene_file import known_scenes, load_scene
 
     del plain  # nothing is drawn here
@@ -92,7 +89,7 @@ def serve(
             typer.echo(line, err=True)
 
     leave_opengl_to_the_renderer()
-    load_description_for_tasks(robot)
+    load_robot_for_tasks(robot)
     load_scene(scene)
     if scene not in known_scenes():
         scene = str(Path(scene).absolute())  # who sends a script may be in another folder

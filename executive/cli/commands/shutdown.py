@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from executive.cli.commands.serve import FolderOption
+from executive.cli.commands.choices import FolderOption
 from executive.config import runtime_directory
 
 

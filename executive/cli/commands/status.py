@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from executive.cli.commands.serve import FolderOption
+from executive.cli.commands.choices import FolderOption
 from executive.config import runtime_directory
 
 _UNSUPERVISED = (

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from executive.cli.commands.numbers import whole_number_from
-from executive.cli.commands.serve import FolderOption
+from executive.cli.commands.choices import FolderOption, whole_number_from
 from executive.config import runtime_directory
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -21,6 +20,7 @@ def why(
     """Say why a run ended as it did."""
     from executive.reports.explanation import explained
     from executive.reports.feedback import failure_lines
+    from executive.runs.recorded_failure import failure_from
     from executive.runs.run_search import find_run
 
     recorded = find_run(run, record)
@@ -29,26 +29,13 @@ def why(
         raise UserError(f"run {recorded.name} was cut off before its report; its events are in events.jsonl")
     typer.echo(str(recorded.report.get("message", recorded.report.get("outcome", ""))))
     for task in recorded.report.get("tasks", ()):
-        failure = task.get("failure")
-        if failure is None:
+        if task.get("failure") is None:
             continue
+        failure = failure_from(task["failure"])
         typer.echo(f"{task.get('text', '')!r} {task.get('outcome', '')}")
-        for line in explained(_failure(failure)):
+        for line in explained(failure):
             typer.echo(f"  {line}")
         if full:
             typer.echo("  the whole chain:")
-            for line in failure_lines(_failure(failure)):
+            for line in failure_lines(failure):
                 typer.echo(f"    {line}")
-
-
-def _failure(document: Mapping[str, Any]) -> Any:
-    from trees.failures import Failure, FailureKind
-
-    cause = document.get("cause")
-    return Failure(
-        FailureKind(document["kind"]),
-        str(document["message"]),
-        dict(document.get("numbers", {})),
-        str(document.get("where", "")),
-        None if cause is None else _failure(cause),
-    )

@@ -14,34 +14,14 @@ from executive.language.resolving.its_door import ItsDoor
 from executive.language.resolving.ranked import Ranked
 from executive.language.resolving.repeated_nouns import PUTS_DOWN
 from executive.language.resolving.stated_things import StatedThings
-from executive.meaning import Command, StopCommand
-from trees import tasks
-from trees.tasks import ObjectOf, RelationKind
+from executive.language.resolving.task_types import TYPES, task_type
+from executive.meaning import Command
+from trees.tasks import ObjectOf, RelationKind, WalkToTask
 
 __all__ = ["Resolver", "UnresolvedError"]
 
-_TYPES: dict[str, Any] = {
-    "pick": tasks.PickTask,
-    "place": tasks.PlaceTask,
-    "put_in": tasks.PutInTask,
-    "hand_over": tasks.HandOverTask,
-    "open": tasks.OpenTask,
-    "close": tasks.CloseTask,
-    "walk_to": tasks.WalkToTask,
-    "move": tasks.MoveTask,
-    "wave": tasks.WaveTask,
-    "point_at": tasks.PointAtTask,
-    "look_at": tasks.LookAtTask,
-    "find": tasks.FindTask,
-    "count": tasks.CountTask,
-    "describe": tasks.DescribeTask,
-    "say": tasks.SayTask,
-    "wait": tasks.WaitTask,
-    "go_home": tasks.GoHomeTask,
-    "stop": StopCommand,
-}
 _TAKES_SEVERAL = frozenset(
-    name for name, kind in _TYPES.items() if any(field.name == "count" for field in fields(kind))
+    name for name, kind in TYPES.items() if any(field.name == "count" for field in fields(kind))
 )
 """Actions that may be done to several things at once."""
 
@@ -248,7 +228,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         if action == "walk_to":
             self._note_walk(one.get("to"))
             self._walked_together = one.get("together") or ()
-        self._commands.append(_TYPES[action](text, **slots))
+        self._commands.append(task_type(action)(text, **slots))
         self._note_hand(action, root)
         self._did.append((one, root))
         return ObjectOf(root)
@@ -377,7 +357,7 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
         if not isinstance(to, Nominal) or to.sort != "thing" or to.reference:
             return
         self._thing_walked_to = to
-        handled = any(not isinstance(self._commands[one.task], tasks.WalkToTask) for one in self._entities)
+        handled = any(not isinstance(self._commands[one.task], WalkToTask) for one in self._entities)
         if to.is_single and to.count == 1 and not handled:
             self._entities.append(Entity(len(self._commands), self._clause, to))
 

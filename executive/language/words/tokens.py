@@ -95,7 +95,7 @@ def normalise(text: str) -> str:
     call = _CALL.match(plain)
     if call is not None:
         word = call.group(1)
-        told = "say it in words, or send JSON (docs/model_output.schema.json)"
+        told = "say it in words, or send JSON (docs/reference/model_output.schema.json)"
         raise MalformedTextError(f"a call ({word}(...)) is no sentence; {told}", word)
     if not plain:
         raise MalformedTextError("the sentence is empty")

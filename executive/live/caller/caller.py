@@ -38,7 +38,7 @@ def ask_at(path: Path, message: bytes, within_s: float = ANSWER_WITHIN_S) -> dic
 
 
 class Caller:
-    """A connection of somebody who asks."""
+    """A connection to a served robot for somebody who asks, and reads the answers."""
 
     def __init__(self, path: Path) -> None:
         """Connect.

@@ -16,7 +16,7 @@ _IN_VAIN = 2
 
 
 class HungError(LiveError):
-    """The executive hangs."""
+    """The executive hangs: it is there, but has not commanded the robot for too long."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -68,7 +68,7 @@ def commander_of(where: RuntimeFolder) -> int | None:
 
 
 class HangWatch:
-    """Notices that an executive which commanded the robot has been let go for good."""
+    """Notices an executive that hangs: the control process let it go, and it does not come back."""
 
     def __init__(self, after_s: float) -> None:
         """Watch.

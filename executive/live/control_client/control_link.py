@@ -69,7 +69,7 @@ M = TypeVar("M", Start, Guarded, Lead, Walk)
 
 
 class ControlLink:
-    """A commander's connection.
+    """The connection of a robot's commander to its control process.
 
     Attributes:
         about: What the control process said of itself: robot, scene, seed, period.

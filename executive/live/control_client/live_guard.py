@@ -7,7 +7,10 @@ from robots.control.loop.emergency_stop import EmergencyStop, PersonsReset
 
 
 class LiveGuard:
-    """Satisfies ``executive.session.supervisor.Guarded``; the latch is the control process's."""
+    """The emergency stop of a served robot; satisfies ``executive.session.supervisor.Guarded``.
+
+    The latch itself is in the control process.
+    """
 
     def __init__(self, link: ControlLink) -> None:
         """Ask through a link."""

@@ -26,7 +26,7 @@ _SCAN_IS_OLD_S = 0.35
 
 
 class LiveClock:
-    """Control time."""
+    """The clock of a served robot: it tells control time."""
 
     def __init__(self, link: ControlLink) -> None:
         """Read it from a link."""
@@ -63,7 +63,7 @@ class DetectorClient:
 
 
 class RangingClient:
-    """Range scans from the control process; satisfies ``robots.perception.range_sensor.RangeSensor``."""
+    """Range scans from the control process; satisfies ``robots.perception.detector.RangeSensor``."""
 
     def __init__(self, link: ControlLink) -> None:
         """Take them from a link."""
@@ -85,7 +85,7 @@ class RangingClient:
 
 
 class LiveSteps:
-    """Lets time pass for the session: satisfies ``executive.session.session.Steps``.
+    """Lets time pass for the session: satisfies ``executive.session.lockstep.Periods``.
 
     The heartbeat is sent here, once a tick, and nowhere else: a tick that does not end sends none.
 

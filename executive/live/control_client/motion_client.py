@@ -18,7 +18,7 @@ _KEPT = 16
 
 
 class MotionClient:
-    """Satisfies ``trees.toolbox.MotionControl``."""
+    """Starts and cancels motions of a served robot; satisfies ``trees.toolbox.MotionControl``."""
 
     def __init__(self, link: ControlLink) -> None:
         """Command through a link."""
@@ -75,7 +75,7 @@ class MotionClient:
 
 
 class GripperClient:
-    """Satisfies ``trees.toolbox.Gripper``."""
+    """One gripper of a served robot; satisfies ``trees.toolbox.Gripper``."""
 
     def __init__(self, link: ControlLink, motion: MotionClient, hand: Hand) -> None:
         """Command the gripper of one hand."""

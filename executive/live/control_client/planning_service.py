@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Generic, TypeVar
 
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
-from kinematics.motion.verdict import CheckedTrajectory
-from kinematics.motion_planner import Answer, MotionPlanner
-from kinematics.requests.any_request import PlanRequest
+from kinematics.model.stance import stance_at
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.motion_planner import MotionPlanner
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.request import Request
 from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import WallClock
 from robots.models.description import load_description
 
+Answer = TypeVar("Answer", covariant=True)
+
 
 @dataclass(frozen=True, slots=True)
-class Planned:
+class Planned(Generic[Answer]):
     """An answer; ``document`` is a checked trajectory with its scene as text, for the other checker."""
 
     answer: Answer
@@ -33,7 +37,7 @@ class PlanningService:
     def __init__(self, robot: str) -> None:
         """Load the robot."""
         self._model = RobotModel(load_description(robot))
-        self._planner = MotionPlanner(self._model)
+        self._planner, self._checker = MotionPlanner(self._model), TrajectoryChecker(self._model)
         self._warm_up()
 
     def _warm_up(self) -> None:
@@ -43,13 +47,17 @@ class PlanningService:
         wanted = {joint: float(q[7 + self._model.joint_index(joint)]) - 0.05}
         planned = self._planner.answer(MoveRequest(q, stance_at(self._model, q), PlanningScene(), wanted))
         if isinstance(planned, MovePlan):
-            self._planner.answer(planned.step.question)
+            self._judged(planned.step.question)
 
-    def answer(self, request: PlanRequest) -> Planned:
-        """Plan or check."""
+    def answer(self, asked: Request[object] | CheckRequest) -> Planned[object]:
+        """Plan or check: both come by one pipe."""
         wall = WallClock()
-        answer = self._planner.answer(request)
-        document = ""
-        if isinstance(request, CheckRequest) and isinstance(answer, CheckedTrajectory):
-            document = write_trajectory(stored_from(request, self._model))
-        return Planned(answer, wall.now_s(), document)
+        if isinstance(asked, CheckRequest):
+            verdict = self._judged(asked)
+            safe = isinstance(verdict, CheckedTrajectory)
+            document = write_trajectory(stored_from(asked, self._model)) if safe else ""
+            return Planned(verdict, wall.now_s(), document)
+        return Planned(self._planner.answer(asked), wall.now_s())
+
+    def _judged(self, question: CheckRequest) -> CheckedTrajectory | Unsafe:
+        return self._checker.check(question.trajectory, question.scene, question.concessions)

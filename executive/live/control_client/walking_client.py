@@ -13,7 +13,7 @@ _TOLD_AFTER_S = 0.1
 
 
 class WalkingClient:
-    """Satisfies ``trees.toolbox.Walking``."""
+    """Has a served robot walk; satisfies ``trees.toolbox.Walking``."""
 
     def __init__(self, link: ControlLink, motion: MotionClient) -> None:
         """Command through a link."""

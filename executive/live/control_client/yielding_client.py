@@ -15,7 +15,10 @@ from trees.world_model import WorldModel
 
 
 class YieldingClient:
-    """Satisfies ``trees.toolbox.Yielding``; the motion itself is made by the control process."""
+    """Has a served robot's hand lead and yield; satisfies ``trees.toolbox.Yielding``.
+
+    The motion itself is made by the control process.
+    """
 
     def __init__(self, link: ControlLink, motion: MotionClient, model: RobotModel, world: WorldModel) -> None:
         """Command through a link."""

@@ -106,7 +106,7 @@ class Order:
 
 
 class Desk:
-    """The executive's socket.
+    """Where a served executive takes in orders, answers, cancels and pauses, by its socket.
 
     Args:
         path: Where to listen.

@@ -14,7 +14,7 @@ _LOOK_EVERY_S = 0.02
 
 
 class LiveAttendant:
-    """Satisfies ``executive.dialogue.attendant.Attendant``.
+    """Puts questions to whoever gave the order; satisfies ``executive.dialogue.attendant.Attendant``.
 
     Args:
         desk: Where answers come in.

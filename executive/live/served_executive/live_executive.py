@@ -22,14 +22,12 @@ from executive.live.desk_messages import Say, Script
 from executive.live.served_executive.desk import Desk, Order, statements_of
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.meaning import StopCommand
-from executive.reports.report import Report
-from executive.reports.safety_tally import SafetyTally
+from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
 from executive.screens.display import PlainDisplay
-from executive.scripts.script_run import Said, not_begun, run_statements, unstarted, verdict
+from executive.scripts.script_run import Said, run_statements, settle_all, verdict
+from executive.session.controlled_robot import ControlledRobot, session_on
 from executive.session.events import Event
-from executive.session.session import Session
-from executive.session.supervisor import Supervisor
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding.canonical_detector import CanonicalDetector
 from executive.understanding.canonical_words import canonical_kind
@@ -46,16 +44,14 @@ from robots.scenes.scene_description import Region
 from robots.scenes.scene_file import load_scene
 from robots.seeded import seeded
 from trees.build import TaskTree
-from trees.events import Offered
 from trees.failures import Failure
-from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
 _IDLE_S = 0.02
 
 
 class LiveExecutive:
-    """One attachment to a control process; ends with it.
+    """A served executive while it is attached to a control process; it ends with the attachment.
 
     Args:
         folder: Where the robot is served.
@@ -85,9 +81,8 @@ class LiveExecutive:
         self._record, self._trust = record, trust
         self._order: Order | None = None
         self._conversation = Conversation()
-        self._log: RunLog | None = None
+        self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
-        self._tally = SafetyTally()
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
@@ -96,33 +91,26 @@ class LiveExecutive:
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
         chance = seeded(int(link.about["seed"]))
-        toolbox = Toolbox(
-            clock=LiveClock(link),
+        served = ControlledRobot(
             model=model,
-            motion=motion,
-            sensing=self._steps.sensing,
-            grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
-            detector=CanonicalDetector(detector, canonical_kind),
-            planning=self._planning,
-            world=world,
-            events=self._note,
-            rng=chance.trees,
-            walking=WalkingClient(link, motion),
-            ranging=ranging,
-            places=_places(str(link.about["scene"]), chance.places),
-            yielding=YieldingClient(link, motion, model, world),
-        )
-        self._supervisor = Supervisor(LiveGuard(link), toolbox.clock, self._note)
-        self._engaged = False
-        self._session = Session(
-            toolbox,
-            self._steps,
-            self._planning,
-            self._note,
-            on_tick=self._show,
-            supervisor=self._supervisor,
+            clock=LiveClock(link),
+            periods=self._steps,
+            guard=LiveGuard(link),
             pausing=link,
+            motion=motion,
+            grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
+            walking=WalkingClient(link, motion),
+            yielding=YieldingClient(link, motion, model, world),
+            detector=CanonicalDetector(detector, canonical_kind),
+            ranging=ranging,
+            planning=self._planning,
+            see_offer=link.offer,
         )
+        places = _places(str(link.about["scene"]), chance.places)
+        self._session, self._supervisor = session_on(
+            served, self._note, chance, places, world=world, on_tick=self._show
+        )
+        self._engaged = False
 
     def run(self) -> None:
         """Carry out order after order.
@@ -157,37 +145,23 @@ class LiveExecutive:
     # ---------------------------------------------------------------- an order
 
     def _carry_out(self, order: Order) -> None:
-        self._order, self._tally = order, SafetyTally()
-        self._display = PlainDisplay(cast(IO[str], _LineStream(order)))
+        self._order = order
+        self._display = display = PlainDisplay(cast(IO[str], _LineStream(order)))
         said, checked_before = order.said, self._planning.checked
         about = self._link.about
-        header = {key: about[key] for key in ("robot", "scene", "seed")}
-        text = _name_of(said)
+        subject = RunSubject(_name_of(said), str(about["robot"]), str(about["scene"]), int(about["seed"]))
         try:
-            with RunLog(self._record, {"input": text[:200], "live": True, **header}) as log:
-                self._log = log
+            with RunLog(self._record, {**subject.header(), "live": True}) as log:
+                self._account = account = RunAccount(subject, log, display.event)
                 lost: ControlLostError | None = None
                 results: list[Said] = []
                 try:
                     results = self._results(said)
-                    line, outcome, code = verdict([one for one, _ in results], results)
+                    ending = verdict([one for one, _ in results], results)
                 except ControlLostError as gone:
-                    lost, line, outcome, code = gone, f"failed: {gone}", "failed", ExitCode.FAILED
-                report = Report(
-                    input=text,
-                    seed=int(about["seed"]),
-                    robot=str(about["robot"]),
-                    scene=str(about["scene"]),
-                    outcome=outcome,
-                    exit_code=code,
-                    message=line,
-                    events_sha256=log.digest.hexdigest(),
-                    tasks=[result for _, results_of in results for result in results_of],
-                    safety=self._tally.counts(self._planning.checked - checked_before),
-                    left_out=tuple(step for statement, _ in results for step in statement.skipped),
-                )
-                log.finish(report.to_json())
-            order.end(line, outcome, code)
+                    lost, ending = gone, (f"failed: {gone}", "failed", ExitCode.FAILED)
+                account.close(ending, results, self._planning.checked - checked_before)
+            order.end(*ending)
             if lost is not None:
                 raise lost
         except NotWritableError as wrong:  # the disk has filled up since the last order
@@ -199,29 +173,28 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
-            self._order = self._log = self._display = None
+            self._order = self._account = self._display = None
             self._steps.busy = False
 
     def _results(self, said: Say | Script) -> list[Said]:
         """Understand all of it, then carry it out."""
         session = self._session
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
+
+        def settle(understood: Statement) -> Statement | Failure:
+            self._steps.busy = True
+            one = settled(understood, attendant, "ask", self._note, self._now_s, session.interruption)
+            if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
+                session.hold(_IDLE_S)
+                self._desk.poll()
+            return one
+
         with session.request() as request:
-            statements: list[Statement] = []
-            for understood in statements_of(said, self._conversation, self._trust):
-                self._steps.busy = True
-                one = settled(understood, attendant, "ask", self._note, self._now_s, session.interruption)
-                if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
-                    session.hold(_IDLE_S)
-                    self._desk.poll()
-                if not isinstance(one, Failure):
-                    statements.append(one)
-                ended = one if isinstance(one, Failure) else request.taken(self._now_s(), self._note)
-                if ended is not None:
-                    return [(understood, [not_begun(understood, ended)])]
-            if results := unstarted(statements, self._note, self._now_s()):
-                return results
-            return run_statements(statements, session, attendant, "ask", self._note)
+            arriving = statements_of(said, self._conversation, self._trust)
+            statements, instead = settle_all(
+                arriving, settle, self._note, self._now_s, lambda: request.taken(self._now_s(), self._note)
+            )
+            return instead or run_statements(statements, session, attendant, "ask", self._note)
 
     def _now_s(self) -> float:
         return self._link.now_s
@@ -250,13 +223,8 @@ class LiveExecutive:
         self._session.resume()
 
     def _note(self, event: Event) -> None:
-        if self._log is not None:
-            self._log.add(event)
-        if self._display is not None:
-            self._display.event(event)
-        if isinstance(event, Offered):
-            self._link.offer(event.to)
-        self._tally.add(event)
+        if self._account is not None:
+            self._account.hear(event)
 
     def _show(self, tree: TaskTree) -> None:
         if self._display is not None:

@@ -12,6 +12,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.leg_ik import LegIk
 
 _LEVEL = 1.0 - 1e-9
@@ -33,7 +34,7 @@ def levelled(
     """
     if all(pose[2, 2] >= _LEVEL for pose in soles.values()):
         return dict(soles), q
-    flat = LegIk(model, Stance(tuple((frame, np.eye(4)) for frame in soles))).geometry
+    flat = LegIk(StandingRobot(model, Stance(tuple((frame, np.eye(4)) for frame in soles)))).geometry
     frames = {sole.side: sole.frame for sole in model.description.soles}
     found = dict(soles)
     for side, leg in zip(HANDS, flat, strict=True):
@@ -42,5 +43,5 @@ def levelled(
         ankle = pose[:3, :3] @ leg.ankle_m + pose[:3, 3]
         found[frames[side]] = poses.transform(turn, ankle - turn @ leg.ankle_m)
     legs = q[np.newaxis].copy()
-    LegIk(model, Stance(tuple(found.items()))).fill(legs)
+    LegIk(StandingRobot(model, Stance(tuple(found.items())))).fill(legs)
     return found, legs[0]

@@ -25,7 +25,7 @@ class WalkingDynamics:
 
     def __init__(self, model: RobotModel) -> None:
         self._model, self._data = model.pin, model.pin.createData()
-        self._armature = np.array([model.description.gains[name].armature for name in model.joints])
+        self._armature = np.array([model.description.armature[name] for name in model.joints])
         self._chains = {sole.side: chain_columns(model, sole.frame) for sole in model.description.soles}
 
     def efforts(self, sample: MotionSample, soles: Mapping[Hand, SoleWrench]) -> Array:

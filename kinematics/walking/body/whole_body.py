@@ -21,6 +21,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.standing.leg_ik import LegIk
 from kinematics.walking.body.legs import fill_legs
@@ -62,7 +63,7 @@ class WholeBody:
         self._period_s, self._blend_s = period_s, blend_s
         flat = tuple((sole.frame, np.eye(4)) for sole in model.description.soles)
         self._sides = tuple(side for side in HANDS for sole in model.description.soles if sole.side == side)
-        geometry = LegIk(model, Stance(flat)).geometry
+        geometry = LegIk(StandingRobot(model, Stance(flat))).geometry
         self._columns = np.array(
             [[int(model.pin.joints[j].idx_q) for j in leg.joints] for leg in geometry], dtype=np.intp
         )

@@ -1,7 +1,7 @@
 """How much room a robot takes while it walks straight on, along a path, and turning on the spot.
 
 It is wider where its hands are, and wherever what it holds stands out. Everyone who asks whether there is
-room asks here.
+room asks here; so does who asks how far a robot that is told to stop goes on.
 """
 
 from __future__ import annotations
@@ -257,3 +257,17 @@ def _outline(layer: _Layer, radius_m: float) -> Array:
 
 def _count(length_m: float) -> int:
     return math.ceil(length_m / _OUTLINE_M) + 1
+
+
+_REACTION_S = 0.2
+"""From a reading to the stop: readings are a tenth of a second apart, the tree ticks at 50 Hz."""
+_ROOM_M = 0.05
+
+
+def stopping_distance_m(settings: WalkingSettings, linear_m_s: float) -> float:
+    """How far a robot at this speed may still go after it was told to stop, with some room.
+
+    Two steps at most: the one that is under way and the one that closes the feet, which brings the body on
+    by half as much again.
+    """
+    return abs(linear_m_s) * (_REACTION_S + 1.5 * settings.step_s) + _ROOM_M

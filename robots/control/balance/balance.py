@@ -7,8 +7,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.dynamics.held_load import loaded
 from kinematics.dynamics.standing_dynamics import StandingDynamics
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.motion.trajectory import HeldLoad
 
@@ -17,7 +16,7 @@ _SHIFT_PERIODS = 100
 
 
 class Balance:
-    """Computes the efforts for each instant of the body's reference.
+    """Computes the joints' feed-forward efforts for each instant of the body's reference motion.
 
     Balance itself comes from planned motions that keep the CoM inside and from stiff joints; these
     efforts (weight and inertia, less what the ground carries) keep the joints from giving way. On
@@ -27,13 +26,13 @@ class Balance:
     swings on afterwards is for ``SwayDamping``.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance) -> None:
+    def __init__(self, standing: StandingRobot) -> None:
         """Prepare for one stance, with nothing in the hands."""
-        self._model, self._stance = model, stance
-        self._dynamics = StandingDynamics(model, stance)
+        self._standing = standing
+        self._dynamics = StandingDynamics(standing)
         self._loads: tuple[HeldLoad, ...] = ()
         self._for: MotionSample | None = None
-        self._efforts = np.zeros(len(model.joints))
+        self._efforts = np.zeros(len(standing.model.joints))
         self._fading: Array | None = None
         self._periods_left = 0
 
@@ -42,7 +41,8 @@ class Balance:
         if loads == self._loads:
             return
         self._loads = loads
-        self._dynamics = StandingDynamics(loaded(self._model, loads), self._stance)
+        model, stance = self._standing.model, self._standing.stance
+        self._dynamics = StandingDynamics(StandingRobot.of(loaded(model, loads), stance))
         self._periods_left = 0 if self._for is None else _SHIFT_PERIODS
         self._fading = None
 

@@ -6,7 +6,7 @@ outside. A stiff arm that goes on pushing would sooner tip the robot over than g
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -31,16 +31,16 @@ class ContactWatch:
     """Watches the arms' efforts while planned motions and walks run.
 
     Args:
-        model: The robot; joints without a contact effort are not watched.
+        model: The robot.
+        allowed_nm: Contact efforts by joint; joints without one are not watched.
     """
 
-    def __init__(self, model: RobotModel) -> None:
+    def __init__(self, model: RobotModel, allowed_nm: Mapping[str, float]) -> None:
         self._model = model
         description = model.description
-        allowed = description.contact_effort_nm
-        self._joints = [joint for joint in description.actuated if joint in allowed]
+        self._joints = [joint for joint in description.actuated if joint in allowed_nm]
         self._indices = np.array([description.actuated.index(joint) for joint in self._joints], dtype=np.intp)
-        self._allowed = np.array([allowed[joint] for joint in self._joints])
+        self._allowed = np.array([allowed_nm[joint] for joint in self._joints])
         self._bound = self._allowed.copy()
         self._scaled = self._allowed.copy()
         self._outside = np.zeros(len(self._joints))

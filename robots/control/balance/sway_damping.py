@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.compiled.compiler import compiled
-from kinematics.model.robot_description import RobotDescription
+from robots.interface.hardware import RobotData
 
 Indices = NDArray[np.intp]
 
@@ -30,15 +30,16 @@ _MOST = 0.2
 class SwayDamping:
     """The torques of one robot that stands."""
 
-    def __init__(self, description: RobotDescription, period_s: float) -> None:
+    def __init__(self, data: RobotData, period_s: float) -> None:
         """Prepare; a robot without legs gets none."""
+        description, gains = data.description, data.hardware.gains
         joints = description.actuated
         legs = {
             name for group, names in description.groups.items() if group.endswith("_leg") for name in names
         }
         self._legs = np.array([k for k, name in enumerate(joints) if name in legs], dtype=np.intp)
         named = [joints[k] for k in self._legs]
-        self._damping = _SHARE * np.array([description.gains[name].damping for name in named])
+        self._damping = _SHARE * np.array([gains[name].damping for name in named])
         self._limit = np.array([description.limits[name].effort for name in named])
         self._share = min(1.0, period_s / _SMOOTH_S)
         self._stray = np.zeros(len(named))

@@ -15,7 +15,7 @@ _JOIN = "+"
 
 
 class Authority:
-    """The book of who holds which of the actuated joints."""
+    """Keeps which motion holds which of the actuated joints; no joint has two holders."""
 
     def __init__(self, joints: Sequence[str]) -> None:
         """Begin with nobody holding anything.

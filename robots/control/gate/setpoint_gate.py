@@ -8,7 +8,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.settings import DEFAULT_SETTINGS
-from kinematics.motion.tolerances import SETPOINT_FRACTION
+from kinematics.motion.verdict import SETPOINT_FRACTION
 from robots.clock import Clock
 from robots.control.gate.authority import HOLD, Authority
 from robots.control.gate.refusal import Limit, Refusal
@@ -66,7 +66,7 @@ class SetpointGate:
         room[1] += SETPOINT_FRACTION * upper[1]
         room[3] += SETPOINT_FRACTION * upper[3]
         self._most, self._least = upper + room, lower - room
-        walking = description.walking.joint_acceleration if description.walking is not None else {}
+        walking = robot.hardware.walking.joint_acceleration if robot.hardware.walking is not None else {}
         steps = np.array(
             [walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)]
         )

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from kinematics.model.robot_description import Hand, RobotDescription
+from kinematics.model.robot_description import Hand
 from robots.control.grip.joint_tracker import JointTracker
 from robots.interface.gripper_reading import GripperReading, read_gripper
+from robots.interface.hardware import RobotData
 from robots.interface.robot import RobotState
 
 _POSITION_TIME_S = 0.03
@@ -35,24 +36,25 @@ class GripKeeper:
         pressing: Whether it presses; else it stays where it is.
     """
 
-    def __init__(self, description: RobotDescription, hand: Hand, start_rad: float, period_s: float) -> None:
+    def __init__(self, data: RobotData, hand: Hand, start_rad: float, period_s: float) -> None:
         """Hold a gripper where it is.
 
         Args:
-            description: The robot's data.
+            data: The robot's data.
             hand: Which gripper.
             start_rad: Where its setpoint is now.
             period_s: The control period.
         """
+        description, grip = data.description, data.hardware.grips[hand]
         gripper = description.grippers[hand]
         limits = description.limits[gripper.joint]
         self.joint = gripper.joint
         self.index = description.actuated.index(gripper.joint)
         self.pressing = False
-        self._gripper = gripper
+        self._gripper, self._grip = gripper, grip
         self._inwards = math.copysign(1.0, gripper.closed_rad - gripper.open_rad)
-        self._squeeze_rad = gripper.effort_nm / description.gains[gripper.joint].stiffness
-        speed = min(gripper.closing_speed_rad_s, limits.velocity)
+        self._squeeze_rad = grip.effort_nm / data.hardware.gains[gripper.joint].stiffness
+        speed = min(grip.closing_speed_rad_s, limits.velocity)
         self._make_tracker = (speed, limits.acceleration, period_s, limits.jerk)
         self._period_s = period_s
         self._tracker = JointTracker(start_rad, *self._make_tracker)
@@ -120,4 +122,4 @@ class GripKeeper:
 
     def reading(self) -> GripperReading:
         """What the gripper's sensors say now, efforts averaged over some control periods."""
-        return read_gripper(self._gripper, self._fingers_rad, self._effort_nm)
+        return read_gripper(self._gripper, self._grip, self._fingers_rad, self._effort_nm)

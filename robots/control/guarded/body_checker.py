@@ -6,15 +6,13 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.collision.standing_judge import StandingJudge
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.support_polygon import SupportPolygon
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import COM_RESERVE_M
 from robots.control.gate.refusal import Limit, Refusal
-from robots.control.guarded.body_motion import BodyMotion
+from robots.control.guarded.guarded_motion import BodyMotion
 
 _LEGS_RAD = 1e-3
 """Legs may be so far from where base and stance put them: more would move a sole by a millimetre."""
@@ -23,10 +21,9 @@ _LEGS_RAD = 1e-3
 class BodyChecker:
     """Watches one whole-body motion while it runs; its scene may change as it goes."""
 
-    def __init__(self, model: RobotModel, stance: Stance, motion: BodyMotion) -> None:
-        self._model, self._stance, self._motion = model, stance, motion
-        self._space = free_coordinates(model, stance)
-        self._polygon = SupportPolygon(stance, model.description.soles)
+    def __init__(self, standing: StandingRobot, motion: BodyMotion) -> None:
+        self._standing, self._model, self._motion = standing, standing.model, motion
+        self._space = free_coordinates(standing)
         self._scene: PlanningScene | None = None
         self._judge: StandingJudge | None = None
 
@@ -45,8 +42,8 @@ class BodyChecker:
     def _judge_of(self, scene: PlanningScene, x: Array, q: Array) -> StandingJudge:
         """What was kept at the first sample of all is kept in every scene."""
         if self._judge is None:
-            return StandingJudge.beginning_at(self._model, self._stance, scene, x, q)
-        return StandingJudge(self._model, self._stance, scene, self._judge.kept)
+            return StandingJudge.beginning_at(self._standing, scene, x, q)
+        return StandingJudge(self._standing, scene, self._judge.kept)
 
     def _stance_refusal(self, judge: StandingJudge, body: MotionSample, x: Array) -> Refusal | None:
         placed = judge.configuration(x)
@@ -74,7 +71,7 @@ class BodyChecker:
         if placed is None:
             return _no_reach()
         if found.reason == "balance":
-            margin_m = self._polygon.com_margin_m(self._model.com(placed))
+            margin_m = self._standing.polygon.com_margin_m(self._model.com(placed))
             least_m = self._model.description.com_margin_m + COM_RESERVE_M
             return Refusal(Limit.BALANCE, "centre of mass", margin_m, least_m)
         return self._limit_refusal(placed)

@@ -8,9 +8,11 @@ more than head and fingers has to be a ``BodyMotion``, so that collisions and ba
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from kinematics.arrays import Array, Sealed
+from kinematics.motion.sampler import MotionSample
+from kinematics.scene.planning_scene import PlanningScene
 from robots.interface.robot import RobotState
 
 
@@ -49,4 +51,27 @@ class GuardedMotion(Protocol):
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Positions and velocities for ``bounds.joints``, or None when it is done."""
+        ...
+
+
+@runtime_checkable
+class BodyMotion(GuardedMotion, Protocol):
+    """A guarded motion that says where the base is, and what it must not touch.
+
+    The online checker judges ``body`` after each ``sample`` against ``scene``.
+    """
+
+    @property
+    def body(self) -> MotionSample:
+        """The last sample with base and accelerations; its joints are those that ``sample`` gave."""
+        ...
+
+    @property
+    def in_contact(self) -> bool:
+        """Whether a hand holds, or meets, something that may not move."""
+        ...
+
+    @property
+    def scene(self) -> PlanningScene:
+        """What is around now, and which pairs may touch."""
         ...

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from kinematics.motion.sampler import MotionSample
 from robots.control.gate.refusal import Refusal
 from robots.control.guarded.body_checker import BodyChecker
-from robots.control.guarded.body_motion import BodyMotion
-from robots.control.guarded.guarded_motion import GuardedMotion
+from robots.control.guarded.guarded_motion import BodyMotion, GuardedMotion
 from robots.control.guarded.online_checker import OnlineChecker
 from robots.control.motion_handle import MotionHandle
 from robots.interface.robot import RobotState

@@ -9,12 +9,11 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from robots.control.gate.authority import Authority
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.guarded.body_checker import BodyChecker
-from robots.control.guarded.body_motion import BodyMotion
-from robots.control.guarded.guarded_motion import GuardedMotion
+from robots.control.guarded.guarded_motion import BodyMotion, GuardedMotion
 from robots.control.guarded.guarded_track import GuardedTrack
 from robots.control.motion_handle import MotionHandle
 
@@ -64,13 +63,13 @@ class GuardedTracks:
         fingers = any(keeper.setpoint[1] != 0.0 for keeper in self.keepers.values())
         return not self._running and not fingers
 
-    def start(self, motion: GuardedMotion, handle: MotionHandle, stance: Stance) -> str | None:
+    def start(self, motion: GuardedMotion, handle: MotionHandle, standing: StandingRobot) -> str | None:
         """Begin one; gives the reason why not, or None.
 
         Args:
             motion: The motion.
             handle: Its handle.
-            stance: Where the feet stand.
+            standing: The robot where it stands.
         """
         joints = motion.bounds.joints
         unjudged = self._unjudged(motion)
@@ -89,7 +88,7 @@ class GuardedTracks:
             for keeper in kept:
                 self._authority.claim(_grip(keeper), [keeper.joint])
             return f"{conflict[0]} is held by {conflict[1]}"
-        checker = BodyChecker(self._model, stance, motion) if isinstance(motion, BodyMotion) else None
+        checker = BodyChecker(standing, motion) if isinstance(motion, BodyMotion) else None
         actuated, bodies = self._model.description.actuated, len(self._model.joints)
         self._running += (GuardedTrack(motion, handle, actuated, bodies, checker),)
         return None

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model.robot_description import GripperDescription, Hand, RobotDescription
+from kinematics.model.robot_description import Hand
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.grip.joint_tracker import JointTracker
 from robots.control.guarded.guarded_motion import MotionBounds
 from robots.control.motion_handle import MotionHandle
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.interface.gripper_reading import GripperReading
+from robots.interface.hardware import RobotData
 from robots.interface.robot import RobotState
 
 _FELT = 0.8
@@ -29,23 +30,22 @@ speed are braked by the servo's damping too."""
 class GripperControl:
     """One hand's gripper: satisfies ``trees.toolbox.Gripper``."""
 
-    def __init__(self, description: RobotDescription, hand: Hand, streamer: MotionStreamer) -> None:
+    def __init__(self, data: RobotData, hand: Hand, streamer: MotionStreamer) -> None:
         """Command the gripper of ``hand`` through the streamer."""
-        self._description = description
-        self._gripper = description.grippers[hand]
+        self._data, self._hand = data, hand
         self._streamer = streamer
         self._keeper = streamer.keeper(hand)
 
     def open(self) -> MotionHandle:
         """Open fully; a grip that was pressing lets go."""
-        return self._streamer.start(OpenGripper(self._description, self._gripper, self._keeper))
+        return self._streamer.start(OpenGripper(self._data, self._hand, self._keeper))
 
     def close(self) -> MotionHandle:
         """Close until something resists or the fingers meet, then keep pressing.
 
         The handle is done when the grip stands; the pressing goes on until the next motion.
         """
-        return self._streamer.start(CloseGripper(self._description, self._gripper, self._keeper))
+        return self._streamer.start(CloseGripper(self._data, self._hand, self._keeper))
 
     def reading(self) -> GripperReading:
         """What its sensors say now."""
@@ -58,17 +58,18 @@ class _GripperMotion:
     verb = ""
 
     def __init__(
-        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper, effort_nm: float
+        self, data: RobotData, hand: Hand, keeper: GripKeeper, effort_nm: float | None = None
     ) -> None:
-        limits = description.limits[gripper.joint]
-        stroke_s = abs(gripper.closed_rad - gripper.open_rad) / gripper.closing_speed_rad_s
+        gripper, grip = data.description.grippers[hand], data.hardware.grips[hand]
+        limits = data.description.limits[gripper.joint]
+        stroke_s = abs(gripper.closed_rad - gripper.open_rad) / grip.closing_speed_rad_s
         self.name = f"{self.verb} {gripper.hand} gripper"
         self.bounds = MotionBounds(
             joints=(gripper.joint,),
             lower_rad=np.array([min(gripper.open_rad, gripper.closed_rad)]),
             upper_rad=np.array([max(gripper.open_rad, gripper.closed_rad)]),
-            velocity=np.array([min(gripper.closing_speed_rad_s, limits.velocity)]),
-            effort=np.array([min(effort_nm, limits.effort)]),
+            velocity=np.array([min(grip.closing_speed_rad_s, limits.velocity)]),
+            effort=np.array([limits.effort if effort_nm is None else min(effort_nm, limits.effort)]),
             duration_s=stroke_s + _SETTLE_S,
         )
         self._gripper = gripper
@@ -92,11 +93,9 @@ class OpenGripper(_GripperMotion):
 
     verb = "open"
 
-    def __init__(
-        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper
-    ) -> None:
+    def __init__(self, data: RobotData, hand: Hand, keeper: GripKeeper) -> None:
         """Prepare to open."""
-        super().__init__(description, gripper, keeper, description.limits[gripper.joint].effort)
+        super().__init__(data, hand, keeper)
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint, or None once the fingers are open."""
@@ -113,17 +112,16 @@ class CloseGripper(_GripperMotion):
 
     verb = "close"
 
-    def __init__(
-        self, description: RobotDescription, gripper: GripperDescription, keeper: GripKeeper
-    ) -> None:
+    def __init__(self, data: RobotData, hand: Hand, keeper: GripKeeper) -> None:
         """Prepare to close."""
-        super().__init__(description, gripper, keeper, _OVERSHOOT * gripper.effort_nm)
+        self._effort_nm = data.hardware.grips[hand].effort_nm
+        super().__init__(data, hand, keeper, _OVERSHOOT * self._effort_nm)
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint, or None once the grip stands, empty or not."""
         target = self._gripper.closed_rad
         reading = self._keeper.reading()
-        felt = reading.effort_nm >= _FELT * self._gripper.effort_nm
+        felt = reading.effort_nm >= _FELT * self._effort_nm
         # A thin thing meets the pads so late that the closed position never builds up the effort.
         closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
         arrived = self._stands_at(target) and abs(float(state.q[self._index]) - target) < _ARRIVED_RAD

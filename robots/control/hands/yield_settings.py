@@ -62,7 +62,7 @@ USUAL = YieldSettings()
 
 @dataclass(frozen=True, slots=True)
 class YieldReport(Sealed):
-    """What a yielding hand felt.
+    """What a yielding hand has felt and how far it came.
 
     Attributes:
         outcome: How it ended.

@@ -29,14 +29,14 @@ from kinematics.following.opening_motion import (
     turned_with,
 )
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.scene.opening_path import OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.guarded.guarded_motion import MotionBounds
 from robots.control.hands.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.interface.gripper_reading import read_gripper
+from robots.interface.hardware import GripSettings
 from robots.interface.robot import RobotState
 
 _Phase = Literal["lean", "lead", "back", "ease", "settle", "rest"]
@@ -54,8 +54,7 @@ class YieldingHand:
 
     def __init__(
         self,
-        model: RobotModel,
-        stance: Stance,
+        standing: StandingRobot,
         hand: Hand,
         q: Array,
         scene: PlanningScene,
@@ -64,6 +63,7 @@ class YieldingHand:
         s_from: float,
         s_to: float,
         *,
+        grip: GripSettings,
         bias: Array | None = None,
         stop_from: float | None = None,
         holding: bool = True,
@@ -72,14 +72,14 @@ class YieldingHand:
         """Prepare.
 
         Args:
-            model: The robot.
-            stance: Where its feet stand.
+            standing: The robot where it stands.
             hand: The hand that holds the handle.
             q: The reference, at rest, shape (nq,).
             scene: What is around at ``s_from``; the hand may touch what its ``allowed`` says.
             parts: What of the scene moves with the handle.
             path: Of the TCP: ``path.at(s_from)`` is where it is.
             s_from, s_to: Where along it to lead.
+            grip: What the gripper feels when it holds something.
             bias: Of the force estimate; measured at the start when left out.
             stop_from: What stands still nearer to ``s_to`` than this has met its stop, and is not stuck.
             holding: Whether the hand holds something that it can lose.
@@ -87,11 +87,12 @@ class YieldingHand:
         """
         self._holding = holding
         self._stop_from = stop_from
-        self._model, self._path, self._settings = model, path, settings
-        self._stance = stance
-        self._tracker = HandTracker(model, stance, hand, q)
+        model = standing.model
+        self._standing, self._model = standing, model
+        self._path, self._settings = path, settings
+        self._tracker = HandTracker(standing, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
-        self._gripper = model.description.grippers[hand]
+        self._gripper, self._grip = model.description.grippers[hand], grip
         self._gripper_index = model.description.actuated.index(self._gripper.joint)
         self._parts = tuple(dict.fromkeys(parts))
         self._scene_from, self._s_from, self._s_to = guarded_scene(scene), s_from, s_to
@@ -182,7 +183,10 @@ class YieldingHand:
         self._felt = self._felt + self._settings.force_share * (wrench - self._bias - self._felt)
         self._peak_force_n = max(self._peak_force_n, float(np.linalg.norm(self._felt[:3])))
         reading = read_gripper(
-            self._gripper, float(state.q[self._gripper_index]), float(state.effort[self._gripper_index])
+            self._gripper,
+            self._grip,
+            float(state.q[self._gripper_index]),
+            float(state.effort[self._gripper_index]),
         )
         self._empty_s = 0.0 if reading.holding else self._empty_s + TICK_S
 
@@ -214,7 +218,7 @@ class YieldingHand:
             rotation=turned_with(self._path, self._rotation, self._s_from, self._s),
             spin_weight=self._spin,
             spin_axis=self._path.bar_axis,
-            com_shift_m=com_shift_m(self._model, self._stance, point.outward, at_z_m, pull_n),
+            com_shift_m=com_shift_m(self._standing, point.outward, at_z_m, pull_n),
         )
 
     @property

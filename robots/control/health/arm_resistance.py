@@ -18,6 +18,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Finding
 from robots.control.health.resistance_arithmetic import average_resistance, find_jammed
+from robots.interface.hardware import Hardware
 from robots.interface.robot import JointSetpoint, RobotState
 
 _EVERY = 5
@@ -50,13 +51,13 @@ class _Arm:
 class ArmResistance:
     """Judges the arms' joints, every few control periods; joints without a contact effort are not judged."""
 
-    def __init__(self, model: RobotModel, period_s: float) -> None:
+    def __init__(self, model: RobotModel, hardware: Hardware, period_s: float) -> None:
         description = model.description
         self._model = model
-        names, allowed = description.joints, description.contact_effort_nm
+        names, allowed = description.joints, hardware.contact_effort_nm
         allowed_nm = np.array([allowed.get(name, np.inf) for name in names])
         self._names = names
-        self._stiffness = np.array([description.gains[name].stiffness for name in names])
+        self._stiffness = np.array([hardware.gains[name].stiffness for name in names])
         self._viscous = description.joint_viscosity_nms_rad
         self._arms = [
             _Arm(model, hand, allowed_nm)

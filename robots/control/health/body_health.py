@@ -9,9 +9,10 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.poses import vector_from_rotation
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.model.support_polygon import SupportPolygon
 from robots.control.health.finding import Ailment, Finding
+from robots.interface.hardware import HealthLimits
 from robots.interface.sensed_state import SensedState
 
 _GYRO_WINDOW_S = 1.0
@@ -24,9 +25,9 @@ _PACE_TIME_S = 1.0
 class BodyHealth:
     """Judges what belongs to no joint, once a control period."""
 
-    def __init__(self, model: RobotModel, period_s: float) -> None:
+    def __init__(self, model: RobotModel, limits: HealthLimits, period_s: float) -> None:
         description = model.description
-        self._limits = description.health
+        self._limits = limits
         self._soles = description.soles
         self._model, self._imu = model, description.imu
         self._period_s = period_s

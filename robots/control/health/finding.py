@@ -8,7 +8,7 @@ from enum import Enum
 
 
 class Ailment(Enum):
-    """What is wrong."""
+    """The kinds of things that can be wrong with the robot."""
 
     STUCK = "joint stuck"
     OFFLINE = "motor offline"
@@ -21,7 +21,7 @@ class Ailment(Enum):
 
 
 class Response(Enum):
-    """What follows from it."""
+    """What the control loop does about a finding."""
 
     STOP = "stop"
     """Brake and hold; no motion is taken while it lasts."""
@@ -52,7 +52,7 @@ _UNITS = {
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that is wrong.
+    """One thing that was found to be wrong with the robot.
 
     Attributes:
         ailment: What.

@@ -7,6 +7,7 @@ from robots.control.health.arm_resistance import ArmResistance
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response
 from robots.control.health.joint_health import JointHealth
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint
 from robots.interface.sensed_state import SensedState
 
@@ -21,17 +22,17 @@ _STAYS = frozenset({Ailment.STUCK, Ailment.WEAK, Ailment.OFFLINE, Ailment.ENCODE
 
 
 class HealthMonitor:
-    """Remembers what the judges found, from when it counts until it is over.
+    """Keeps the findings of the judges of health, each from when it is confirmed until it is over.
 
     Attributes:
         findings: What is wrong now.
     """
 
-    def __init__(self, model: RobotModel, period_s: float) -> None:
+    def __init__(self, model: RobotModel, hardware: Hardware, period_s: float) -> None:
         self.findings: dict[tuple[Ailment, str], Finding] = {}
-        self._joints = JointHealth(model.description, period_s)
-        self._resistance = ArmResistance(model, period_s)
-        self._body = BodyHealth(model, period_s)
+        self._joints = JointHealth(RobotData(model.description, hardware), period_s)
+        self._resistance = ArmResistance(model, hardware, period_s)
+        self._body = BodyHealth(model, hardware.health, period_s)
         self._counts: dict[tuple[Ailment, str], int] = {}
         self._seen_s: dict[tuple[Ailment, str], float] = {}
 

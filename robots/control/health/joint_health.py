@@ -17,7 +17,6 @@ from collections import deque
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model.robot_description import RobotDescription
 from robots.control.health.finding import Ailment, Finding
 from robots.control.health.joint_arithmetic import (
     add_travel,
@@ -25,6 +24,7 @@ from robots.control.health.joint_arithmetic import (
     watch_followers,
     watch_motors,
 )
+from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint, RobotState
 
 _EVERY = 5
@@ -55,11 +55,12 @@ class JointHealth:
         bent: Whether a leg was so far from its setpoint then that it tips a sole.
     """
 
-    def __init__(self, description: RobotDescription, period_s: float) -> None:
+    def __init__(self, data: RobotData, period_s: float) -> None:
+        description, hardware = data.description, data.hardware
         names = description.joints
-        gains = [description.gains[name] for name in names]
+        gains = [hardware.gains[name] for name in names]
         self._names, self._bodies = names, len(names)
-        self._limits = description.health
+        self._limits = hardware.health
         effort = np.array([description.limits[name].effort for name in names])
         stiffness = np.array([gain.stiffness for gain in gains])
         self._servo = np.array([stiffness, [gain.damping for gain in gains], effort])

@@ -11,7 +11,8 @@ import numpy as np
 from kinematics.estimation.base_estimator import BaseEstimator
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from robots.clock import ManualClock
 from robots.control.balance.balance import Balance
 from robots.control.balance.contact_watch import ContactWatch
@@ -34,6 +35,7 @@ from robots.control.motion_handle import MotionStatus
 from robots.control.period import PERIOD_S
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.walker import Walker
+from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint, Robot, RobotState
 from robots.interface.sensed_state import SensedState
 
@@ -43,7 +45,7 @@ came to rest, and gathers speed again."""
 
 
 class ControlLoop:
-    """The control loop; ``step`` is its unit, whoever calls it.
+    """The control loop of one robot; one call of ``step`` is one control period, whoever calls it.
 
     Attributes:
         model: The robot's.
@@ -77,40 +79,37 @@ class ControlLoop:
         self._sink = sink
         self._period_s = period_s
         self._bodies = len(model.joints)
-        readings = robot.read()
+        readings, hardware = robot.read(), robot.hardware
+        data = RobotData(model.description, hardware)
         q, fingers = resting_start(model, readings.q)
-        stance = stance_at(model, q)
+        standing = StandingRobot.of(model, stance_at(model, q))
         authority = Authority(model.description.actuated)
-        keepers = {
-            hand: GripKeeper(model.description, hand, fingers[hand], period_s)
-            for hand in HANDS
-            if hand in fingers
-        }
+        keepers = {hand: GripKeeper(data, hand, fingers[hand], period_s) for hand in HANDS if hand in fingers}
         actuated = np.concatenate([q[7:], list(fingers.values())])
-        self._balance = Balance(model, stance)
-        self._sway = SwayDamping(model.description, period_s)
-        self._estimator = BaseEstimator(model, stance)
-        self._contact = ContactWatch(model)
+        self._balance = Balance(standing)
+        self._sway = SwayDamping(data, period_s)
+        self._estimator = BaseEstimator(standing)
+        self._contact = ContactWatch(model, hardware.contact_effort_nm)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
-        self._streamer = MotionStreamer(model, stance, q, keepers, authority, clock, sink, period_s)
+        self._streamer = MotionStreamer(standing, q, keepers, authority, clock, sink, period_s)
         self._keepers = tuple(keepers.values())
         self._tau = np.zeros(len(actuated))
         self._record = ControlRecord(clock, sink)
         self._stuck = False
         self._limp = False
-        self._walker = Walker(model, self._streamer, authority, clock, sink, period_s)
+        self._walker = Walker(model, hardware, self._streamer, authority, clock, sink, period_s)
         self._forgiven = 0
-        health = HealthMonitor(model, period_s)
+        health = HealthMonitor(model, hardware, period_s)
         self._safeguards = Safeguards(health, self._streamer, self._record, clock, sink)
         groups = model.description.groups
         self._legs = frozenset((*groups["left_leg"], *groups["right_leg"]))
         self.model = model
         self.motion = self._streamer
         self.walking = self._walker
-        self.yielding = YieldingControl(model, self._streamer)
+        self.yielding = YieldingControl(model, hardware.grips, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
-            {hand: GripperControl(model.description, hand, self._streamer) for hand in keepers}
+            {hand: GripperControl(data, hand, self._streamer) for hand in keepers}
         )
 
     @property
@@ -323,9 +322,10 @@ class ControlLoop:
             return
         stance, q = ended
         self._gate.expect_steps(False)
-        self._streamer.stand(stance, q)
-        self._balance = Balance(self._model, stance)
-        self._estimator = BaseEstimator(self._model, stance)
+        standing = StandingRobot.of(self._model, stance)
+        self._streamer.stand(standing, q)
+        self._balance = Balance(standing)
+        self._estimator = BaseEstimator(standing)
 
     def _watch_for_contact(self, state: RobotState) -> None:
         """When the body pushes against something, end what moves the robot: a walk within two steps."""

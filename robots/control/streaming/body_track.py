@@ -6,9 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import standing_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
@@ -33,10 +31,9 @@ class BodyTrack:
         now: What is commanded now, base in the odometry frame.
     """
 
-    def __init__(self, model: RobotModel, stance: Stance, q: Array, period_s: float) -> None:
+    def __init__(self, standing: StandingRobot, q: Array, period_s: float) -> None:
         """Hold a configuration, shape (nq,)."""
-        self._model = model
-        self._stance = stance
+        self._robot, self._model = standing, standing.model
         self._period_s = period_s
         self._sampler: TrajectorySampler | None = None
         self._elapsed_s = 0.0
@@ -106,7 +103,7 @@ class BodyTrack:
             return sampler is None
         at_s, braking_s = self._elapsed_s, 0.0
         if at_s > 0.0:
-            profile = StopProfile.along_path(self._model, self._stance, sampler, at_s, self._period_s)
+            profile = StopProfile.along_path(self._robot, sampler, at_s, self._period_s)
             if profile is None:
                 return False
             self._start(profile)
@@ -120,7 +117,7 @@ class BodyTrack:
         at_s, trajectory, self._paused_at_s = self._paused_at_s, self._trajectory, None
         if at_s is None or trajectory is None:
             return False
-        rest = rest_of(self._model, trajectory, self.now.q, at_s, self._period_s)
+        rest = rest_of(self._robot, trajectory, self.now.q, at_s, self._period_s)
         if rest is None or starts_elsewhere(self._model, rest, self.now.q) is not None:
             return False
         self._begin(lead_in(rest, self.now.q, self._model.acceleration))
@@ -145,9 +142,7 @@ class BodyTrack:
         profile = None
         sampler, self._sampler, self._playing_out = self._sampler, None, False
         if along_path and sampler is not None:
-            profile = StopProfile.along_path(
-                self._model, self._stance, sampler, self._elapsed_s, self._period_s
-            )
+            profile = StopProfile.along_path(self._robot, sampler, self._elapsed_s, self._period_s)
             if profile is None and sampler.duration_s - self._elapsed_s <= _PLAY_OUT_S:
                 self._sampler, self._playing_out = sampler, True
                 return
@@ -164,13 +159,13 @@ class BodyTrack:
         """
         standing = self._standing()
         if sampler is not None and (standing is None or standing.is_late(self._period_s)):
-            of = self._model, self._stance, sampler, self._elapsed_s, self._period_s
+            of = self._robot, sampler, self._elapsed_s, self._period_s
             prompt = StopProfile.promptly_along_path(*of)
             if prompt is not None:
                 return prompt
         if standing is not None:
             return standing
-        return StopProfile.joint_by_joint(self._model, self._stance, self._followed(), self._period_s)
+        return StopProfile.joint_by_joint(self._robot, self._followed(), self._period_s)
 
     def _followed(self) -> MotionSample:
         """What is commanded now, with the acceleration that the last two setpoints show.
@@ -181,14 +176,14 @@ class BodyTrack:
         return MotionSample(self.now.q, self.now.v, shown)
 
     def _standing(self) -> StopProfile | None:
-        return StopProfile.standing(self._model, self._stance, self._followed(), self._period_s)
+        return StopProfile.standing(self._robot, self._followed(), self._period_s)
 
     def _stop_promptly(self, sampler: TrajectorySampler, late: StopProfile | None) -> StopProfile | None:
         """Stop where an even brake along the path takes too long, or is none.
 
         Without any, the feet stay in place and each arm stops on its own before the path is gone on with.
         """
-        of = self._model, self._stance, sampler, self._elapsed_s, self._period_s
+        of = self._robot, sampler, self._elapsed_s, self._period_s
         return (
             StopProfile.promptly_along_path(*of)
             or (None if late else self._standing())
@@ -206,7 +201,7 @@ class BodyTrack:
         self._sampler = self._profile = self._next = self._braked_on = None
         self._playing_out = self._going_back = False
         self._paused_at_s = None
-        self.now = self._at_rest(standing_at(self._model, self.now.q, self._stance))
+        self.now = self._at_rest(self._robot.placed(self.now.q))
         self._last_v = self.now.v
 
     def place(self, joints: NDArray[np.intp], q: Array, v: Array) -> MotionSample:
@@ -259,7 +254,7 @@ class BodyTrack:
         if braked_on is None:
             return
         sampler, t_s, joint = braked_on
-        back = way_back(self._model, self._stance, sampler, t_s, self.now, joint, self._period_s)
+        back = way_back(self._robot, sampler, t_s, self.now, joint, self._period_s)
         if back is not None:
             self._start(back)
             self._going_back = True

@@ -10,14 +10,16 @@ from kinematics.checking.start_gap import LEAD_IN_M, start_gap
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.trajectory import Trajectory
 
 _STANCE_M = 1e-3
 _STANCE_RAD = 2e-3
 
 
-def why_not(model: RobotModel, trajectory: Trajectory, reference: Array, stance: Stance) -> str | None:
+def why_not(standing: StandingRobot, trajectory: Trajectory, reference: Array) -> str | None:
     """Tell why a trajectory cannot follow on a reference, shape (nq,), at rest; None if it can."""
+    model = standing.model
     if tuple(trajectory.joints) != tuple(model.joints):
         return "its joints are not those of this robot"
     elsewhere = starts_elsewhere(model, trajectory, reference)
@@ -27,7 +29,7 @@ def why_not(model: RobotModel, trajectory: Trajectory, reference: Array, stance:
         speed = np.abs(trajectory.v[index])
         if speed.max() > AT_REST:
             return f"it does not {end} at rest: {speed.max():.4g}"
-    return _other_stance(trajectory.stance, stance)
+    return _other_stance(trajectory.stance, standing.stance)
 
 
 def starts_elsewhere(model: RobotModel, trajectory: Trajectory, reference: Array) -> str | None:

@@ -9,8 +9,8 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.checking.start_gap import start_gap
 from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
 from kinematics.motion.trajectory import HeldLoad
 from kinematics.motion.verdict import CheckedTrajectory
@@ -47,8 +47,7 @@ class MotionStreamer:
 
     def __init__(
         self,
-        model: RobotModel,
-        stance: Stance,
+        standing: StandingRobot,
         q: Array,
         keepers: Mapping[Hand, GripKeeper],
         authority: Authority,
@@ -59,8 +58,7 @@ class MotionStreamer:
         """Hold a configuration.
 
         Args:
-            model: The robot.
-            stance: Where it stands.
+            standing: The robot where it stands.
             q: What it is commanded now, base in the odometry frame, shape (nq,).
             keepers: What the grippers do between motions.
             authority: Book of who moves which joint.
@@ -68,14 +66,14 @@ class MotionStreamer:
             sink: Where events go.
             period_s: Control period.
         """
-        self._model = model
-        self._stance = stance
+        model = standing.model
+        self._standing, self._model = standing, model
         self._guarded = GuardedTracks(model, keepers, authority)
         self._authority = authority
         self._ledger = MotionLedger(clock, sink)
         self._period_s = period_s
         start_gap(model)  # read the robot's solids now, not in the period in which a motion begins
-        self._track = BodyTrack(model, stance, q, period_s)
+        self._track = BodyTrack(standing, q, period_s)
         self._body_handle: MotionHandle | None = None
         self._body_owner = ""
         self._waiting: tuple[CheckedTrajectory, MotionHandle] | None = None
@@ -132,17 +130,17 @@ class MotionStreamer:
 
     def stance(self) -> Stance:
         """Where the feet stand."""
-        return self._stance
+        return self._standing.stance
 
-    def stand(self, stance: Stance, q: Array) -> None:
+    def stand(self, standing: StandingRobot, q: Array) -> None:
         """Hold a configuration on feet that stand elsewhere now: the robot has walked there.
 
         Args:
-            stance: Where they stand.
+            standing: The robot where they stand.
             q: What is commanded, base in the odometry frame, shape (nq,); nothing moves.
         """
-        self._stance = stance
-        self._track = BodyTrack(self._model, stance, q, self._period_s)
+        self._standing = standing
+        self._track = BodyTrack(standing, q, self._period_s)
 
     # ---------------------------------------------------------------- pausing
 
@@ -320,7 +318,7 @@ class MotionStreamer:
 
     def _start_trajectory(self, checked: CheckedTrajectory) -> MotionHandle:
         handle = self._ledger.open("trajectory")
-        reason = self.why_closed or why_not(self._model, checked.trajectory, self.reference(), self._stance)
+        reason = self.why_closed or why_not(self._standing, checked.trajectory, self.reference())
         if reason is None and self._track.braking and self._waiting is None:
             self._waiting = (checked, handle)
             return handle
@@ -345,7 +343,7 @@ class MotionStreamer:
 
     def _start_guarded(self, motion: GuardedMotion) -> MotionHandle:
         handle = self._ledger.open(motion.name)
-        reason = self.why_closed or self._guarded.start(motion, handle, self._stance)
+        reason = self.why_closed or self._guarded.start(motion, handle, self._standing)
         if reason is not None:
             return self._ledger.refuse(handle, reason)
         self._ledger.begun(handle)

@@ -10,9 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.geometry.quintic import rest_to_rest
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import standing_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.stopping.braking import brake_along, brake_joints, brake_standing, keeps_limits
@@ -61,23 +59,22 @@ class StopProfile:
 
     @classmethod
     def along_path(
-        cls, model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
+        cls, robot: StandingRobot, sampler: TrajectorySampler, t_s: float, period_s: float
     ) -> StopProfile | None:
         """Category 1: brake along a trajectory from a time on it.
 
         Returns:
             None when nothing within the limits ends before the trajectory itself does.
         """
-        brake = brake_along(model, stance, sampler, t_s, period_s)
+        brake = brake_along(robot, sampler, t_s, period_s)
         if brake is None:
             return None
-        return cls(resting_on_the_stance(model, stance, brake.rows, period_s), brake.steps)
+        return cls(resting_on_the_stance(robot, brake.rows, period_s), brake.steps)
 
     @classmethod
     def promptly_along_path(
         cls,
-        model: RobotModel,
-        stance: Stance,
+        robot: StandingRobot,
         sampler: TrajectorySampler,
         t_s: float,
         period_s: float,
@@ -91,64 +88,59 @@ class StopProfile:
         at_s = t_s + after_s
         if at_s >= sampler.duration_s:
             return None
-        rows = brake_promptly(model, stance, sampler, at_s, period_s, _LATEST_S - after_s)
+        rows = brake_promptly(robot, sampler, at_s, period_s, _LATEST_S - after_s)
         if rows is None:
             return None
         periods = np.arange(1, round(after_s / period_s) + 1, dtype=np.float64)
         if len(periods):
             rows = _joined(sampler.many(t_s + period_s * periods), rows)
-        return cls(resting_on_the_stance(model, stance, rows, period_s))
+        return cls(resting_on_the_stance(robot, rows, period_s))
 
     @classmethod
     def soon_along_path(
-        cls, model: RobotModel, stance: Stance, sampler: TrajectorySampler, t_s: float, period_s: float
+        cls, robot: StandingRobot, sampler: TrajectorySampler, t_s: float, period_s: float
     ) -> StopProfile | None:
         """Category 1 from the first moment at which the path leaves room for it; None when none is soon."""
-        tried = (
-            cls.promptly_along_path(model, stance, sampler, t_s, period_s, after_s) for after_s in _LATER_S
-        )
+        tried = (cls.promptly_along_path(robot, sampler, t_s, period_s, after_s) for after_s in _LATER_S)
         return next((profile for profile in tried if profile is not None), None)
 
     @classmethod
-    def standing(
-        cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float
-    ) -> StopProfile | None:
+    def standing(cls, robot: StandingRobot, now: MotionSample, period_s: float) -> StopProfile | None:
         """Category 2: every joint comes to rest as soon as its limits let it, with the feet where they are.
 
         Returns:
             None when the legs have no way to do that.
         """
-        rows = brake_standing(model, stance, free_coordinates(model, stance), now, period_s)
+        rows = brake_standing(robot, now, period_s)
         return None if rows is None else cls(rows)
 
     @classmethod
-    def joint_by_joint(
-        cls, model: RobotModel, stance: Stance, now: MotionSample, period_s: float
-    ) -> StopProfile:
+    def joint_by_joint(cls, robot: StandingRobot, now: MotionSample, period_s: float) -> StopProfile:
         """Category 2, each joint on its own: the last way out.
 
         The legs do not stop where the standing feet want them, and push them against each other. They are
         led there, for from where they would be, no motion could begin: while all brakes, where the limits
         have room for both, else once everything rests.
         """
-        acceleration, jerk = model.acceleration, model.jerk
-        braked = _each_braked(model, stance, now, _SHARE_LED_BACK, period_s, _LED_ON_S)
-        led = resting_on_the_stance(model, stance, braked, period_s, stray_rad=_LED_BACK_RAD)
+        acceleration, jerk = robot.model.acceleration, robot.model.jerk
+        braked = _each_braked(robot, now, _SHARE_LED_BACK, period_s, _LED_ON_S)
+        led = resting_on_the_stance(robot, braked, period_s, stray_rad=_LED_BACK_RAD)
         if led is not braked and keeps_limits(led.a[:, 6:], now.a[6:], acceleration, jerk, period_s):
             return cls(led)
-        braked = _each_braked(model, stance, now, 1.0, period_s, _LED_BACK_S)
+        braked = _each_braked(robot, now, 1.0, period_s, _LED_BACK_S)
         after = round(_LED_BACK_S / period_s)
-        return cls(resting_on_the_stance(model, stance, braked, period_s, after, _LED_BACK_RAD))
+        return cls(resting_on_the_stance(robot, braked, period_s, after, _LED_BACK_RAD))
 
 
 def _each_braked(
-    model: RobotModel, stance: Stance, now: MotionSample, share: float, period_s: float, rest_s: float
+    robot: StandingRobot, now: MotionSample, share: float, period_s: float, rest_s: float
 ) -> MotionSample:
     """Come to rest by a share of the limits, the base where the soles put it, and rest for so long."""
+    model = robot.model
     limits = share * model.acceleration, share * model.jerk
     q, v, a = brake_joints(now.q[7:], now.v[6:], now.a[6:], *limits, period_s)
     periods = len(q)
-    last = standing_at(model, np.concatenate([now.q[:7], q[-1]]), stance)
+    last = robot.placed(np.concatenate([now.q[:7], q[-1]]))
     if last[3:7] @ now.q[3:7] < 0.0:  # the same turn, but blended the short way
         last[3:7] *= -1.0
     part = (np.arange(1, periods + 1) / periods)[:, None]
@@ -169,8 +161,7 @@ def _joined(first: MotionSample, second: MotionSample) -> MotionSample:
 
 
 def resting_on_the_stance(
-    model: RobotModel,
-    stance: Stance,
+    robot: StandingRobot,
     rows: MotionSample,
     period_s: float,
     last: int | None = None,
@@ -181,7 +172,7 @@ def resting_on_the_stance(
     Between the samples of a trajectory they stray from there by 1e-5 rad: nothing while it is played, but
     a plan that begins there would have to jump by as much.
     """
-    space = free_coordinates(model, stance)
+    space = free_coordinates(robot)
     exact, reached = space.to_q(space.from_q(rows.q[-1])[None, :])
     gap = exact[0, 7:] - rows.q[-1, 7:]
     if not reached[0] or np.abs(gap).max() > stray_rad:

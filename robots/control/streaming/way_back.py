@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry.quintic import PEAK, rest_to_rest
-from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from robots.control.streaming.stop_profile import StopProfile, resting_on_the_stance
 
@@ -28,8 +27,7 @@ _BRAKED_WITHIN_S = 0.5
 
 
 def way_back(
-    model: RobotModel,
-    stance: Stance,
+    robot: StandingRobot,
     sampler: TrajectorySampler,
     t_s: float,
     at_rest: MotionSample,
@@ -39,8 +37,7 @@ def way_back(
     """Go back along a path, to where a joint has least to give.
 
     Args:
-        model: The robot.
-        stance: How it stands.
+        robot: How it stands.
         sampler: The path.
         t_s: Its time when the brake began.
         at_rest: Where the brake ended.
@@ -53,7 +50,7 @@ def way_back(
     begin_s = _time_at(sampler, t_s, at_rest, period_s)
     if begin_s is None:
         return None
-    dynamics = StandingDynamics(model, stance)
+    dynamics = StandingDynamics(robot)
     carried = {
         back_s: abs(float(dynamics.holding_efforts(sampler.at(begin_s - back_s).q)[joint]))
         for back_s in (*(back_s for back_s in _BACK_S if back_s < begin_s), begin_s)
@@ -69,7 +66,7 @@ def way_back(
     rows = sampler.many(begin_s - back_s * share, -back_s * rate, -back_s * slope)
     # where it rests is a hair beside the path: that is kept on all the way
     rows.q[:, 7:] += at_rest.q[7:] - sampler.at(begin_s).q[7:]
-    return StopProfile(resting_on_the_stance(model, stance, rows, period_s))
+    return StopProfile(resting_on_the_stance(robot, rows, period_s))
 
 
 def _time_at(sampler: TrajectorySampler, t_s: float, at_rest: MotionSample, period_s: float) -> float | None:

@@ -21,7 +21,7 @@ _MOST_KG = 12.0
 
 
 class HandScales:
-    """Averages efforts at rest, and turns them into masses."""
+    """Weighs what hangs on the hands: averages the arms' efforts at rest, and turns them into masses."""
 
     def __init__(self, model: RobotModel, period_s: float) -> None:
         """Have weighed nothing.

@@ -29,7 +29,7 @@ _EVERY = 25
 
 
 class OutsideForce:
-    """Adds up the soles' forces, and compares them with the momentum."""
+    """Estimates the force of the surroundings on the robot: what the soles' forces do not explain."""
 
     def __init__(self, mass_kg: float, sides: Sequence[Hand], period_s: float) -> None:
         """Begin to walk.

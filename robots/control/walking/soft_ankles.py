@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.walking_settings import WalkingSettings
+from robots.interface.hardware import ServoGains, WalkingGains
 
 _BLEND_S = 0.3
 """From stiff to soft, and back."""
@@ -19,18 +21,19 @@ class SoftAnkles:
     newest readings. One period late, that adds a little damping and inertia, and nothing else.
     """
 
-    def __init__(self, model: RobotModel, settings: WalkingSettings) -> None:
+    def __init__(self, model: RobotModel, gains: Mapping[str, ServoGains], soft: WalkingGains) -> None:
         """Be stiff.
 
         Args:
             model: The robot; the last two joints of each leg are its ankle's.
-            settings: How stiff its ankles are while it walks.
+            gains: Of the servos, by joint.
+            soft: How stiff its ankles are while it walks.
         """
-        groups, gains = model.description.groups, model.description.gains
+        groups = model.description.groups
         names = [name for leg in ("left_leg", "right_leg") for name in groups[leg][-2:]]
         self._joints = model.indices(names)
-        self._stiffness = np.array([gains[name].stiffness - settings.ankle_stiffness_nm for name in names])
-        self._damping = np.array([gains[name].damping - settings.ankle_damping_nms for name in names])
+        self._stiffness = np.array([gains[name].stiffness - soft.ankle_stiffness_nm for name in names])
+        self._damping = np.array([gains[name].damping - soft.ankle_damping_nms for name in names])
         self._share = 0.0
 
     def efforts(

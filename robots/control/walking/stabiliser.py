@@ -17,6 +17,7 @@ from kinematics.walking.body.legged_estimator import LeggedEstimator
 from kinematics.walking.body.walking_dynamics import WalkingDynamics
 from kinematics.walking.pattern.dcm import Point
 from kinematics.walking.pattern.pattern_sample import PatternSample
+from robots.interface.hardware import WalkingGains
 
 
 class Stabiliser:
@@ -29,12 +30,14 @@ class Stabiliser:
         velocity: Of the CoM, as measured, in that frame, m/s.
     """
 
-    def __init__(self, model: RobotModel, settings: WalkingSettings, omega: float) -> None:
+    def __init__(
+        self, model: RobotModel, settings: WalkingSettings, gains: WalkingGains, omega: float
+    ) -> None:
         soles = {sole.side: sole for sole in model.description.soles}
         self._distribution = WrenchDistribution(settings, soles, model.mass_kg, omega)
         self._dynamics = WalkingDynamics(model)
-        self._settings, self._omega = settings, omega
-        self._most = settings.effort_share * model.effort
+        self._gains, self._omega = gains, omega
+        self._most = gains.effort_share * model.effort
         self.error: Point = (0.0, 0.0)
         self.velocity: Point = (0.0, 0.0)
 
@@ -83,7 +86,7 @@ class Stabiliser:
         self, pattern: PatternSample, motion: MotionSample, measured: LeggedEstimator, side: Hand
     ) -> Array:
         """Moment that turns the trunk to where the plan has it, shape (3,)."""
-        s = self._settings
+        s = self._gains
         heading = pattern.feet[side].yaw_rad + measured.com_from(side).heading_rad
         return righting_moment(
             measured.odom_R_base,

@@ -8,8 +8,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
 from kinematics.motion.sampler import MotionSample
 from kinematics.walking.body.floor_finding import FloorFinding
 from kinematics.walking.body.legged_estimator import LeggedEstimator
@@ -22,9 +21,9 @@ from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.fitted_ankles import FittedAnkles
 from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
-from robots.control.walking.rejoin import Rejoin
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
+from robots.interface.hardware import Hardware
 from robots.interface.robot import RobotState
 
 _AT_REST_PERIODS = 3
@@ -32,7 +31,7 @@ _AT_REST_PERIODS = 3
 
 
 class Walk:
-    """One walk, from rest to rest.
+    """One walk under way, from rest to rest.
 
     Attributes:
         pattern: What the feet do.
@@ -40,10 +39,15 @@ class Walk:
     """
 
     def __init__(
-        self, model: RobotModel, streamer: MotionStreamer, gyro_at_rest: Array, period_s: float
+        self,
+        model: RobotModel,
+        hardware: Hardware,
+        streamer: MotionStreamer,
+        gyro_at_rest: Array,
+        period_s: float,
     ) -> None:
-        settings = model.description.walking
-        if settings is None:
+        settings, gains = model.description.walking, hardware.walking
+        if settings is None or gains is None:
             raise RuntimeError("the robot is not known to walk")
         self._model, self._period_s = model, period_s
         placed, q = levelled(model, streamer.reference(), dict(streamer.stance().soles))
@@ -64,10 +68,10 @@ class Walk:
             self._body.omega,
             self._body.sway_s2,
         )
-        self._stabiliser = Stabiliser(model, settings, self._body.omega)
+        self._stabiliser = Stabiliser(model, settings, gains, self._body.omega)
         anchors = {side: placed[sole.frame] for side, sole in soles.items()}
         self._estimator = LeggedEstimator(model, q, anchors, gyro_at_rest)
-        self._soft_ankles = SoftAnkles(model, settings)
+        self._soft_ankles = SoftAnkles(model, hardware.gains, gains)
         self._fitted_ankles = FittedAnkles(model, streamer.reference()[7:] - q[7:], period_s)
         self._floor = FloorFinding(
             {side: round(float(pose[2, 3]), 6) for side, pose in anchors.items()}, period_s
@@ -77,7 +81,7 @@ class Walk:
         self._outside = OutsideForce(model.mass_kg, sides, period_s)
         self.held_back: Refusal | None = None
         self._wrench: Array | None = None
-        self._most = settings.effort_share * model.effort
+        self._most = gains.effort_share * model.effort
         self._read: tuple[Array, Array] | None = None
         self._sample: PatternSample | None = None
         self._motion: MotionSample | None = None
@@ -174,3 +178,37 @@ class Walk:
         """Learn where the plan is from the foot that stands."""
         side = sample.carrying[0]
         self.pattern.locate(self._estimator.sole(side) @ sample.feet[side].inverse())
+
+
+_DURATION_S = 0.2
+
+
+class Rejoin:
+    """A difference of positions and velocities that fades away smoothly."""
+
+    def __init__(self, gap: Array, gap_speed: Array) -> None:
+        """Begin with a difference, shape (n,) each; its acceleration begins and ends with nothing."""
+        T = _DURATION_S
+        d, dv = -gap - gap_speed * T, -gap_speed
+        self._coefficients = (
+            gap,
+            gap_speed,
+            (10.0 * d - 4.0 * dv * T) / T**3,
+            (-15.0 * d + 7.0 * dv * T) / T**4,
+            (6.0 * d - 3.0 * dv * T) / T**5,
+        )
+        self._t_s = 0.0
+
+    @property
+    def over(self) -> bool:
+        """Whether nothing is left of it."""
+        return self._t_s >= _DURATION_S
+
+    def advance(self, period_s: float) -> tuple[Array, Array]:
+        """What is left of it after another period: positions and velocities."""
+        self._t_s += period_s
+        t = min(self._t_s, _DURATION_S)
+        x, v, c3, c4, c5 = self._coefficients
+        left = x + t * (v + t * t * (c3 + t * (c4 + t * c5)))
+        speed = v + t * t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5))
+        return left, speed

@@ -19,6 +19,7 @@ from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.hand_scales import HandScales
 from robots.control.walking.walk import Walk
+from robots.interface.hardware import Hardware
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
 
@@ -33,6 +34,7 @@ class Walker:
     def __init__(
         self,
         model: RobotModel,
+        hardware: Hardware,
         streamer: MotionStreamer,
         authority: Authority,
         clock: Clock,
@@ -40,7 +42,8 @@ class Walker:
         period_s: float,
     ) -> None:
         """Stand; whoever moves the standing body is ``streamer``."""
-        self._model, self._streamer, self._authority = model, streamer, authority
+        self._model, self._hardware = model, hardware
+        self._streamer, self._authority = streamer, authority
         self._clock, self._sink, self._period_s = clock, sink, period_s
         self._bodies = len(model.joints)
         self._count = 0
@@ -227,7 +230,7 @@ class Walker:
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
         model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
-        self._walk = Walk(model, self._streamer, self._gyro_at_rest, self._period_s)
+        self._walk = Walk(model, self._hardware, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
         self._walk.pattern.steer(steering)

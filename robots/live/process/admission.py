@@ -17,7 +17,7 @@ MAX_WAITING = 8
 
 
 class Asks(Protocol):
-    """The checker process, or a double."""
+    """What judges documents of trajectories: the checker process, or a double in tests."""
 
     def ask(self, question: object) -> Future[Any]:
         """Judge one document."""

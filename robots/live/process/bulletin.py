@@ -14,8 +14,7 @@ from robots.live.process.condition import emergency_json, health_json
 from robots.live.process.motion_desk import MotionDesk
 from robots.live.wire.connection import Connection
 from robots.live.wire.messages import write_message
-from robots.perception.detector import Detector
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import Detector, RangeSensor
 
 _PROGRESS_EVERY = 25
 """Polls between two reports of a motion's progress."""

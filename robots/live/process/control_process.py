@@ -31,15 +31,14 @@ from robots.live.documents.robot_report import ReportLayout, RobotReport
 from robots.live.process.condition import moves
 from robots.live.process.control_server import ControlServer
 from robots.live.process.evaluation_server import EvaluationServer
-from robots.live.process.hold_back import HoldBack
+from robots.live.process.hold_back import HoldBack, processor_use
 from robots.live.process.pacer import Pacer
-from robots.live.process.processor_use import processor_use
 from robots.live.process.supervision import Supervision
 from robots.live.process.warming import warm_up
 from robots.live.wire.child_process import ChildProcess
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotWriter
-from robots.models.description import load_description_for_tasks
+from robots.models.description import load_robot_for_tasks
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_file import load_scene
 from robots.seeded import seeded
@@ -92,13 +91,14 @@ class ControlProcess:
         folder = RuntimeFolder(options.folder)
         folder.make()
         self._lock = folder.hold()
-        description = load_description_for_tasks(options.robot)
+        robot = load_robot_for_tasks(options.robot)
+        description = robot.description
         scene = load_scene(options.scene)
         self._checker = ChildProcess("robots.live.process.admission_process", [options.robot])
         chance = seeded(options.seed)
         model = RobotModel(description)
         self._clock = ManualClock()
-        self._world: SimulatedWorld = build_world(description, scene, chance.world)
+        self._world: SimulatedWorld = build_world(robot, scene, chance.world)
         self._server: ControlServer | None = None
         self._loop = ControlLoop(self._world.robot, model, self._clock, self._note, PERIOD_S)
         self._perception = PerceptionStub(
@@ -112,7 +112,7 @@ class ControlProcess:
         self._hold = HoldBack(WallClock(), processor_use)
         self._supervision = Supervision(options.supervisor)
         self._terminated = self._told_moving = False
-        warm_up(description, model)
+        warm_up(model, robot.hardware)
         for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
             self._step()
         self._publish()

@@ -50,8 +50,7 @@ from robots.live.wire.messages import (
     write_message,
 )
 from robots.live.wire.socket_server import KEPT, SocketServer
-from robots.perception.detector import Detector
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import Detector, RangeSensor
 
 IDLE_SILENCE_S = 3.0
 """A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""

@@ -20,7 +20,7 @@ from robots.live.wire.socket_server import SocketServer
 
 @dataclasses.dataclass(frozen=True, slots=True)
 class GetTruth:
-    """What is really the case?"""
+    """Asks for the simulator's truth, for an evaluation."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ _MESSAGES = {"truth": GetTruth, "pace": SetPace}
 
 
 class EvaluationServer:
-    """Answers evaluations."""
+    """Answers what evaluations ask the control process: the truth, and another pace."""
 
     def __init__(self, path: Path, truth: Callable[[], dict[str, Any]], pacer: Pacer) -> None:
         """Listen; ``truth`` gives the answer to each question for it."""

@@ -8,9 +8,40 @@ stands still, for a bounded while. One that sleeps, was stopped, or runs without
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
 
 from robots.clock import Clock
-from robots.live.process.processor_use import ProcessorUse
+
+_PROC = Path("/proc")
+_WANTS = ("R", "D")
+"""Runnable, or waiting for a page or a disk: not its own will."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProcessorUse:
+    """What the kernel tells of a process's main thread.
+
+    Attributes:
+        wants_to_run: Whether it is running, or kept from it by the machine alone; one that sleeps, was
+            stopped or has ended does not want to.
+        ran_s: Processor time that it had so far.
+    """
+
+    wants_to_run: bool
+    ran_s: float
+
+
+def processor_use(pid: int, proc: Path = _PROC) -> ProcessorUse | None:
+    """Read it, or None where the kernel does not tell; see proc(5), ``stat`` and ``schedstat``."""
+    try:
+        stat = (proc / str(pid) / "stat").read_text("ascii", "replace")
+        ran_ns = int((proc / str(pid) / "schedstat").read_text("ascii").split()[0])
+        state = stat[stat.rindex(")") + 1 :].split()[0]  # the name before it may hold anything
+    except (OSError, ValueError, IndexError):
+        return None
+    return ProcessorUse(state in _WANTS, 1e-9 * ran_ns)
+
 
 BASE_AFTER_S = 0.1
 """From so much silence on, of control time, the commander's processor time is counted."""
@@ -23,7 +54,7 @@ MOST_S = 5.0
 
 
 class HoldBack:
-    """Decides, look after look."""
+    """Decides at each look whether control time is held back for a commander that cannot run."""
 
     def __init__(self, wall: Clock, use: Callable[[int], ProcessorUse | None]) -> None:
         """Begin.

@@ -51,7 +51,7 @@ class Lateness:
 
 
 class Pacer:
-    """Waits for the next period.
+    """Paces the control loop: waits until the next period is due in wall time.
 
     Args:
         wall: The wall clock.

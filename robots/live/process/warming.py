@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.model.robot_description import HANDS, RobotDescription
+from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
@@ -11,19 +11,21 @@ from robots.clock import ManualClock
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_robot import FakeRobot
+from robots.interface.hardware import Hardware, RobotData
 
 _PERIODS = 60
 _AHEAD_M = 0.02
 
 
-def warm_up(description: RobotDescription, model: RobotModel) -> None:
+def warm_up(model: RobotModel, hardware: Hardware) -> None:
     """Let a hand yield, brake it, and take a step, each for a moment.
 
     The first whole-body motion loads a second of compiled code and the first walk another library.
     """
+    description = model.description
     for hand in HANDS:
         if hand in description.grippers:
-            loop = _loop(description, model)
+            loop = _loop(model, hardware)
             q = loop.motion.reference()
             tcp_m = model.frame_pose(q, description.grippers[hand].tcp_frame)[:3, 3]
             line = DrawerLine(tcp_m, 0.0)
@@ -32,14 +34,15 @@ def warm_up(description: RobotDescription, model: RobotModel) -> None:
             loop.stop(1, "it was to warm up")
             _run(loop)
     if description.walking is not None:
-        loop = _loop(description, model)
+        loop = _loop(model, hardware)
         loop.walking.walk(VelocitySteering(description.walking, 0.1, 0.0), "walk")
         _run(loop)
 
 
-def _loop(description: RobotDescription, model: RobotModel) -> ControlLoop:
+def _loop(model: RobotModel, hardware: Hardware) -> ControlLoop:
     clock = ManualClock()
-    return ControlLoop(FakeRobot(description, clock), model, clock, lambda _event: None)
+    robot = FakeRobot(RobotData(model.description, hardware), clock)
+    return ControlLoop(robot, model, clock, lambda _event: None)
 
 
 def _run(loop: ControlLoop) -> None:

@@ -23,7 +23,7 @@ class ChildDiedError(LiveError):
 
 
 class ChildProcess:
-    """The parent's side.
+    """A child process that answers questions, as its parent sees it.
 
     Args:
         module: What the child runs, as ``python -m`` does; it calls ``serve_parent``.

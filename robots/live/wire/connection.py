@@ -15,7 +15,7 @@ MAX_UNSENT_BYTES = 32_000_000
 
 
 class Connection:
-    """A stream socket with its frames.
+    """A connection over a stream socket, on which whole frames are sent and received.
 
     Attributes:
         peer: Who is at the other end.

@@ -28,7 +28,7 @@ T = TypeVar("T")
 
 
 class FaultyLine(Generic[T]):
-    """One direction."""
+    """One direction of a connection that goes wrong on purpose."""
 
     def __init__(self, fault: ConnectionFault, rng: np.random.Generator, now_s: Callable[[], float]) -> None:
         self._fault, self._rng, self._now_s = fault, rng, now_s
@@ -68,7 +68,7 @@ class FaultyLine(Generic[T]):
 
 
 class FaultyConnection(Connection):
-    """As ``Connection``, until ``strike``.
+    """A connection that works like ``Connection`` until ``strike`` lets its fault begin.
 
     Args:
         connected: The socket.

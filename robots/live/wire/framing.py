@@ -20,7 +20,7 @@ _HEADER = struct.Struct(">2sBBI")
 
 
 class FrameKind(IntEnum):
-    """What the payload is."""
+    """What the payload of a frame is: a message, a document."""
 
     MESSAGE = 0
     DOCUMENT = 1

@@ -14,7 +14,7 @@ _TOLD_LOST = 64
 
 
 class MessageOrder:
-    """Follows the numbers of one commander.
+    """Checks that the numbered messages of one commander come in order, none twice.
 
     Args:
         clock: Control time.

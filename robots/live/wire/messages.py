@@ -1,7 +1,7 @@
 """What crosses the sockets: JSON objects with a ``type``, read strictly into frozen values.
 
 Whatever is missing, unknown, of another type, not finite or too large is a ``ProtocolError``: there is
-no message that is half understood. ``docs/live-mode.md`` lists them all.
+no message that is half understood. ``docs/reference/live-protocol.md`` lists them all.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ _LONGEST_SOCKET = 100
 
 @dataclass(frozen=True, slots=True)
 class RuntimeFolder:
-    """Names of what is in the folder."""
+    """The folder of a served robot's sockets, with the names of what is in it."""
 
     path: Path
 

@@ -27,7 +27,7 @@ _MOST = 100_000
 
 
 class StateSlotWriter:
-    """The writing side; one process has it."""
+    """The writing side of the shared state; one process has it."""
 
     def __init__(self, path: Path, count: int) -> None:
         """Make the slot for so many values, readable by this user alone."""
@@ -61,7 +61,7 @@ class StateSlotWriter:
 
 
 class StateSlotReader:
-    """The reading side; there may be many."""
+    """The reading side of the shared state; there may be many."""
 
     def __init__(self, path: Path) -> None:
         """Map a slot.

@@ -8,6 +8,7 @@ import mujoco
 
 from kinematics.model.robot_description import GripperDescription, RobotDescription, SoleDescription
 from robots.errors import DescriptionError
+from robots.interface.hardware import RobotData
 from robots.simulated.body.geom_roles import (
     CONAFFINITY,
     CONTYPE,
@@ -41,12 +42,13 @@ MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
 GYRO, ACCELEROMETER = "gyro", "accelerometer"
 
 
-def robot_spec(description: RobotDescription) -> mujoco.MjSpec:
+def robot_spec(robot: RobotData) -> mujoco.MjSpec:
     """Build the robot alone: free to move, with position servos and sensors, in the air.
 
     Raises:
         DescriptionError: The URDF lacks a link or joint that the description names.
     """
+    description = robot.description
     urdf = ElementTree.fromstring(description.urdf)
     options = ElementTree.Element("mujoco")
     ElementTree.SubElement(
@@ -68,7 +70,7 @@ def robot_spec(description: RobotDescription) -> mujoco.MjSpec:
     for gripper in description.grippers.values():
         _add_pads(spec, gripper)
     _exclude_pairs(spec, description)
-    _add_actuators(spec, description)
+    _add_actuators(spec, robot)
     _add_sensors(spec, description)
     return spec
 
@@ -143,9 +145,9 @@ def _tune_joints(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         if joint.type == mujoco.mjtJoint.mjJNT_FREE:
             continue
         driver = followers.get(joint.name, joint.name)
-        if driver not in description.gains:
-            raise DescriptionError(f"joint {joint.name!r} has no gains")
-        joint.armature = description.gains[driver].armature
+        if driver not in description.armature:
+            raise DescriptionError(f"joint {joint.name!r} is not described")
+        joint.armature = description.armature[driver]
         joint.damping = (GRIPPER_DAMPING if driver in grippers else JOINT_DAMPING, 0.0, 0.0)
         joint.frictionloss = 0.0
         joint.actfrclimited = False  # the actuators carry the limits
@@ -203,11 +205,12 @@ def _exclude_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
             spec.add_exclude(bodyname1=first, bodyname2=second)
 
 
-def _add_actuators(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+def _add_actuators(spec: mujoco.MjSpec, robot: RobotData) -> None:
+    description = robot.description
     for name in description.actuated:
         if spec.joint(name) is None:
             raise DescriptionError(f"the URDF has no joint {name!r}")
-        gains, effort = description.gains[name], description.limits[name].effort
+        gains, effort = robot.hardware.gains[name], description.limits[name].effort
         actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
         actuator.set_to_position(kp=gains.stiffness, kv=gains.damping)
         actuator.forcelimited = True

@@ -13,8 +13,7 @@ from kinematics.model.robot_description import RobotDescription
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import Furniture, SceneDescription
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role
-from robots.simulated.body.geom_roles import WORLD_GROUP, Role
-from robots.simulated.body.scene_names import in_simulator
+from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
 
 DOOR_DAMPING = 0.2
 """Nm s/rad of a hinge: grease."""

@@ -1,4 +1,8 @@
-"""Which kind of thing a simulated geom belongs to, and what may touch what."""
+"""Which kind of thing a simulated geom belongs to, what it is called there, and what may touch what.
+
+A scene may call a cup "floor", or "arm_left_7_link": only what has the mark in front of its name is
+the scene's.
+"""
 
 from __future__ import annotations
 
@@ -61,3 +65,16 @@ HULL_GROUP = 3
 """The robot's collision shapes."""
 UNSEEN_GROUP = 4
 """Collision shapes that hide nothing from the camera: its own head, and the finger hulls."""
+
+
+_MARK = "scene:"
+
+
+def in_simulator(name: str) -> str:
+    """The simulator's name of a body or geom that a scene calls so: "red cup", "table/top", "Ana/hand"."""
+    return _MARK + name
+
+
+def in_scene(name: str) -> str | None:
+    """What the scene calls a body or geom of the simulator; None for what is the robot's or the floor."""
+    return name.removeprefix(_MARK) if name.startswith(_MARK) else None

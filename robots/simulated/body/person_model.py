@@ -16,8 +16,7 @@ from robots.scenes.person_solid import PERSON_HEIGHT_M
 from robots.scenes.scene_description import Person
 from robots.scenes.scene_words import COLORS
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, set_role
-from robots.simulated.body.geom_roles import WORLD_GROUP, Role
-from robots.simulated.body.scene_names import in_simulator
+from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
 
 HAND_REST_M = (0.10, -0.28, 0.90)
 """Of the hand in the person's frame: beside the thigh."""

@@ -8,15 +8,14 @@ from numpy.typing import NDArray
 
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import RobotDescription
 from robots.errors import DescriptionError, SceneError
+from robots.interface.hardware import RobotData
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec
 from robots.simulated.body.furniture_model import FurnitureForces
-from robots.simulated.body.geom_roles import Role
+from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
 from robots.simulated.body.scene_model import FLOOR, add_scene, joint_name
-from robots.simulated.body.scene_names import in_scene, in_simulator
 
 TIMESTEP_S = 0.001
 IMPEDANCE_RATIO = 100.0
@@ -29,7 +28,7 @@ class Physics:
     """The world as MuJoCo holds it. Internal to ``robots.simulated``.
 
     Attributes:
-        description, scene: What it was built from.
+        description, hardware, scene: What it was built from.
         furniture: What doors and drawers do by themselves.
         model, data: MuJoCo's.
         geom_role: ``Role`` of each geom, shape (ngeom,).
@@ -40,9 +39,10 @@ class Physics:
         DescriptionError: The URDF and the description disagree.
     """
 
-    def __init__(self, description: RobotDescription, scene: SceneDescription) -> None:
-        self.description, self.scene = description, scene
-        spec = robot_spec(description)
+    def __init__(self, robot: RobotData, scene: SceneDescription) -> None:
+        description = robot.description
+        self.description, self.hardware, self.scene = description, robot.hardware, scene
+        spec = robot_spec(robot)
         _set_options(spec)
         add_scene(spec, scene, description)
         try:

@@ -21,9 +21,8 @@ from robots.simulated.body.body_model import (
     set_role,
 )
 from robots.simulated.body.furniture_model import add_moving_part
-from robots.simulated.body.geom_roles import WORLD_GROUP, Role
+from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
 from robots.simulated.body.person_model import add_person
-from robots.simulated.body.scene_names import in_simulator
 
 FLOOR = "floor"
 FLOOR_FRICTION = 0.8

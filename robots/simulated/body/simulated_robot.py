@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array
 from kinematics.model.robot_description import RobotDescription
 from robots.errors import SetpointRefusedError
+from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint, RobotState
 from robots.simulated.body.body_model import ACCELEROMETER, GYRO
 from robots.simulated.body.physics import TIMESTEP_S, Physics
@@ -41,7 +42,7 @@ class SimulatedRobot:
         description = physics.description
         model, data = physics.model, physics.data
         self._data, self._model = data, model
-        gains = [description.gains[name] for name in description.actuated]
+        gains = [physics.hardware.gains[name] for name in description.actuated]
         self._count = len(gains)
         self._inverse_stiffness = np.array([1.0 / item.stiffness for item in gains])
         self._damping_ratio = np.array([item.damping / item.stiffness for item in gains])
@@ -52,7 +53,7 @@ class SimulatedRobot:
         self._sensor_order = _sensor_order(physics)
         # MuJoCo tells what a sole presses on the floor, negated; a robot tells what the floor gives it.
         self._sensor_sign = np.array([1.0] * 6 + [-1.0] * 6 * len(description.soles))
-        self._sigma = _sigmas(description)
+        self._sigma = _sigmas(RobotData(description, physics.hardware))
         self._noise, self._noise_row = np.empty((0, len(self._sigma))), 0
         self._effort = np.zeros(self._count)
         self._target = np.array(self._qpos[self._joint_qpos])
@@ -70,6 +71,11 @@ class SimulatedRobot:
     def description(self) -> RobotDescription:
         """The robot's data."""
         return self._physics.description
+
+    @property
+    def hardware(self) -> Hardware:
+        """What it is made of."""
+        return self._physics.hardware
 
     def read(self) -> RobotState:
         """Return the readings of the last control period; the same ones until the next period."""
@@ -170,9 +176,10 @@ def _sensor_order(physics: Physics) -> NDArray[np.intp]:
     return np.array([start + i for start in starts for i in range(3)], dtype=np.intp)
 
 
-def _sigmas(description: RobotDescription) -> Array:
+def _sigmas(robot: RobotData) -> Array:
     """Standard deviations of all readings in the order of ``read``; efforts: of each joint's limit."""
-    noise, n = description.noise, len(description.actuated)
+    description, noise = robot.description, robot.hardware.noise
+    n = len(description.actuated)
     efforts = [noise.joint_effort_fraction * description.limits[name].effort for name in description.actuated]
     sole = [noise.foot_force_n] * 3 + [noise.foot_torque_nm] * 3
     return np.array(

@@ -13,9 +13,9 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.scenes.scene_description import SceneItem
 from robots.simulated.body.body_model import PATCH_RADIUS_M, pad_name
+from robots.simulated.body.geom_roles import in_simulator
 from robots.simulated.body.physics import Physics
 from robots.simulated.body.scene_model import friction_row, pair_name
-from robots.simulated.body.scene_names import in_simulator
 from robots.simulated.truth.truth import SimulatorTruth
 
 AWAY_M = 30.0

@@ -25,7 +25,7 @@ _HEIGHTS = 7
 
 @dataclass(frozen=True, slots=True)
 class Pinch(Sealed):
-    """A way to take hold.
+    """How a simulated person's fingers take hold of a thing.
 
     Attributes:
         offset_m: Of the middle of the hand from the object's, world, shape (3,).

@@ -8,7 +8,7 @@ from robots.simulated.truth.truth import SimulatorTruth
 
 
 class TakingPeople:
-    """Whoever takes things in a scene; ``tick`` is called once each control period."""
+    """The people of a scene who take what is held out; ``tick`` is called once each control period."""
 
     def __init__(self, physics: Physics, truth: SimulatorTruth) -> None:
         """Have those take who do so in the scene."""

@@ -39,7 +39,7 @@ Stage = Literal["waiting", "reaching", "closing in", "pinching", "pulling", "lay
 
 
 class TakingPerson:
-    """One person; ``tick`` is called once each control period.
+    """One person who takes what is held out; ``tick`` is called once each control period.
 
     Attributes:
         name: Who it is.

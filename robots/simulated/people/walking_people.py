@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from robots.scenes.scene_description import Person
+from robots.simulated.body.geom_roles import in_simulator
 from robots.simulated.body.physics import Physics
-from robots.simulated.body.scene_names import in_simulator
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ _THING, _ROBOT_AND_THING = 4, 5
 
 @dataclass(frozen=True, slots=True)
 class TrueContact:
-    """One touching pair.
+    """Two bodies that really touch, and how hard.
 
     Attributes:
         first, second: Robot link, then furniture solid, object or person.

@@ -20,9 +20,8 @@ from robots.scenes.object_names import told_names
 from robots.scenes.person_solid import person_solid
 from robots.scenes.scene_description import Person, SceneItem
 from robots.simulated.body.furniture_model import part_body
-from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP
+from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP, in_simulator
 from robots.simulated.body.physics import Physics
-from robots.simulated.body.scene_names import in_simulator
 from robots.simulated.truth.true_contacts import TrueContacts
 from robots.simulated.truth.true_support import SupportPolygon
 

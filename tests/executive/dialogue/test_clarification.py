@@ -13,6 +13,7 @@ from executive.dialogue.clarification import (
     understood_answer,
 )
 from executive.meaning import Parsed, Question
+from executive.session.driver import driven
 from executive.understanding.command_parser import parse
 
 CUPS = ("left red cup", "right red cup", "blue cup")
@@ -70,13 +71,11 @@ class Asked:
         self.answers, self.questions = list(answers), []
 
     def about(self, parsed):
-        steps, answer = clarified(parsed), None
-        while True:
-            try:
-                self.questions.append(steps.send(answer))
-            except StopIteration as end:
-                return end.value
-            answer = self.answers.pop(0) if self.answers else None
+        return driven(clarified(parsed), self.answer)
+
+    def answer(self, question):
+        self.questions.append(question)
+        return self.answers.pop(0) if self.answers else None
 
 
 UNCLEAR = Parsed("go there", question=Question("where to?", ("go home", "pick up the red cup")))

@@ -10,7 +10,7 @@ from executive.embedding.ticket import Ticket
 from executive.session.events import InputTaken, QuestionAsked, TaskAccepted, TaskEnded
 from executive.trust import Trust
 
-GUIDE = Path(__file__).parents[3] / "docs" / "python.md"
+GUIDE = Path(__file__).parents[3] / "docs" / "guides" / "python.md"
 DOUBTFUL = [{"command": "go home", "confidence": 0.4}]
 CONFIRM = "step 1, 'go home', has confidence 0.40, below 0.80: shall it be done?"
 
@@ -347,3 +347,19 @@ def test_the_example_of_the_guide_runs_as_it_stands(fake_stage):
         "requests = Requests(assembly.session)\n", ""), {"requests": requests}, names)  # fmt: skip
 
     assert names["results"][0].outcome == "done"
+
+
+def test_a_request_that_broke_off_with_a_defect_has_ended_and_lets_the_next_one_begin(
+    fake_stage, monkeypatch
+):
+    on = fake_stage()
+    broken, following = on.requests.submit("wave"), on.requests.submit("go home")
+    with monkeypatch.context() as patch:
+        patch.setattr(
+            on.session, "task_steps", lambda *_: (_ for _ in ()).throw(ZeroDivisionError("a defect"))
+        )
+        with pytest.raises(ZeroDivisionError):
+            broken.result()
+
+    assert broken.done
+    assert following.result()[0].outcome == "done"

@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import pytest
 
+from executive.dialogue import settle_words
 from executive.dialogue.clarification import OpenQuestion
-from executive.errands.errand import Errand, drive
+from executive.errands.errand import Errand
 from executive.meaning import StopCommand
+from executive.session.driver import driven
 from executive.session.events import InputTaken, QuestionAsked, TaskAccepted
-from executive.understanding import known_skills
 from executive.understanding.command_parser import parse
 from executive.understanding.provenance import Provenance
 from kinematics.geometry import poses
@@ -57,7 +58,7 @@ class Stage:
     def run(self, *commands, answers=(), **options):
         self.questions, self.answers = [], list(answers)
         session = self.fake.session
-        return drive(Errand(session, commands, **options).steps(), self, session)
+        return driven(Errand(session, commands, **options).steps(), self.answer)
 
     def holds_something(self):
         return any(gripper.reading().holding for gripper in self.fake.fake.grippers.values())
@@ -66,9 +67,6 @@ class Stage:
         self.moved_when_asked.append(self.arms_moved() or self.holds_something())
         self.questions.append(question)
         return self.answers.pop(0) if self.answers else None
-
-    def attend(self, session):
-        pass
 
 
 @pytest.fixture
@@ -212,7 +210,7 @@ def test_both_are_picked_one_after_the_other(stage):
 @pytest.mark.requirement("L5")
 def test_nothing_begins_when_a_later_command_is_no_skill(stage, monkeypatch):
 
-    monkeypatch.setattr(known_skills, "has_skill", lambda task: not isinstance(task, OpenTask))
+    monkeypatch.setattr(settle_words, "has_skill", lambda task: not isinstance(task, OpenTask))
     on = stage(LEFT)
 
     results = on.run(RED_CUP, OpenTask("open the fridge", ObjectDescription("fridge")))
@@ -337,6 +335,15 @@ def test_a_room_that_is_not_on_the_map_is_told_before_anything_moves(fake_stage,
     [result] = on.run(task)
 
     assert (result.outcome, result.failure.message) == ("failed", told)
+    assert on.fake.session.now_s == 0.0
+
+
+def test_what_the_robot_lacks_for_a_skill_is_told_before_anything_moves(fake_stage):
+    on = Stage(fake_stage(LEFT))
+
+    [result] = on.run(WalkToTask("go", ObjectDescription("table")))
+
+    assert (result.outcome, result.failure.message) == ("failed", "talos cannot walk here")
     assert on.fake.session.now_s == 0.0
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from executive.errands.nearness import Nearness, is_near
-from executive.errands.other_furniture import named_other, settled
+from executive.errands.other_furniture import named_other, with_other_furniture_named
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -36,13 +36,17 @@ def around(odom_T_base, asked_at):
 @pytest.mark.parametrize("odom_T_base", [HERE, THERE])
 @pytest.mark.parametrize(("asked_at", "name"), [(HERE, "table 2"), (THERE, "table")])
 def test_it_is_told_from_where_the_robot_was_asked(odom_T_base, asked_at, name):
-    walk = settled(WalkToTask("walk to the other table", OTHER), around(odom_T_base, asked_at), None)
+    walk = with_other_furniture_named(
+        WalkToTask("walk to the other table", OTHER), around(odom_T_base, asked_at), None
+    )
 
     assert walk.to.name == name
 
 
 def test_what_is_moved_goes_to_another_table_than_its_own():
-    place = settled(PlaceTask("", ObjectDescription("cup"), on=OTHER), around(HERE, HERE), "table 2")
+    place = with_other_furniture_named(
+        PlaceTask("", ObjectDescription("cup"), on=OTHER), around(HERE, HERE), "table 2"
+    )
 
     assert place.on.name == "table"
 
@@ -50,7 +54,7 @@ def test_what_is_moved_goes_to_another_table_than_its_own():
 def test_what_is_no_other_furniture_stays_as_it_was_said():
     pick = PickTask("", ObjectDescription("cup", ordinal="other"))
 
-    assert settled(pick, around(HERE, HERE), None) is pick
+    assert with_other_furniture_named(pick, around(HERE, HERE), None) is pick
 
 
 def test_the_other_table_is_near_only_where_the_robot_stands_before_it():
@@ -70,13 +74,13 @@ def test_the_other_table_is_near_only_where_the_robot_stands_before_it():
     ],
 )
 def test_where_something_is_said_to_be_is_told_from_where_the_robot_was_asked(command):
-    assert settled(command, around(THERE, HERE), None).source.name == "table 2"
+    assert with_other_furniture_named(command, around(THERE, HERE), None).source.name == "table 2"
 
 
 def test_what_is_moved_is_taken_from_the_other_table_though_it_stands_there():
     place = PlaceTask("", ObjectDescription("cup"), to=ObjectDescription("shelf"), source=OTHER)
 
-    assert settled(place, around(THERE, HERE), "table 2").source.name == "table 2"
+    assert with_other_furniture_named(place, around(THERE, HERE), "table 2").source.name == "table 2"
 
 
 @pytest.mark.parametrize(
@@ -87,6 +91,6 @@ def test_what_is_moved_is_taken_from_the_other_table_though_it_stands_there():
     ],
 )
 def test_what_is_on_the_other_table_is_on_the_one_that_was_meant(command, slot):
-    named = getattr(settled(command, around(THERE, HERE), None), slot)
+    named = getattr(with_other_furniture_named(command, around(THERE, HERE), None), slot)
 
     assert named.relation.to.name == "table 2"

@@ -6,11 +6,13 @@ from types import SimpleNamespace
 
 import pytest
 
-from executive.errands.errand import Errand, drive
-from executive.errands.unsaid_steps import Known, prepared, with_names
+from executive.errands.errand import Errand
+from executive.errands.required import with_names
+from executive.errands.unsaid_steps import Known, prepared
+from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.tasks import (
     WHERE_IT_WAS,
     CloseTask,
@@ -249,7 +251,7 @@ def test_several_things_at_once_are_taken_from_where_the_robot_stands():
 
 
 STUCK = Failure.infeasible("the door is stuck")
-UNSEEN = Failure.postcondition("no side table seen", seen="table")
+UNSEEN = Failure.postcondition("no side table seen").because(Reason.NOT_SEEN)
 
 
 class Notes:
@@ -259,7 +261,10 @@ class Notes:
 
     def __init__(self, fails="", failure=STUCK):
         self.toolbox = SimpleNamespace(
-            can_walk=True, places=("kitchen", "living room"), detector=SimpleNamespace(labels=None)
+            can_walk=True,
+            places=("kitchen", "living room"),
+            grippers={"right": None},
+            detector=SimpleNamespace(labels=None),
         )
         self.told, self.fails, self.failure = [], fails, failure
 
@@ -291,7 +296,7 @@ class Believed:
     def note_where_asked(self):
         pass
 
-    def settled(self, command):
+    def with_other_furniture_named(self, command):
         return command
 
 
@@ -300,14 +305,7 @@ def carried_out(notes, sentence):
 
 
 def errand(notes, sentence, beliefs):
-    return drive(Errand(notes, parse(sentence).commands, beliefs=beliefs).steps(), Nobody(), notes)
-
-
-class Nobody:
-    """Asks and stops nothing."""
-
-    def attend(self, _session):
-        pass
+    return driven(Errand(notes, parse(sentence).commands, beliefs=beliefs).steps())
 
 
 def test_an_errand_goes_back_to_who_spoke_and_hands_over_what_it_took():

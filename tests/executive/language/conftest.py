@@ -3,6 +3,7 @@
 import pytest
 
 from executive.dialogue.clarification import clarified
+from executive.session.driver import driven
 
 
 @pytest.fixture
@@ -10,12 +11,6 @@ def answered():
     """What a sentence means once its question has been answered so."""
 
     def meaning(parsed, answer):
-        steps, said = clarified(parsed), None
-        while True:
-            try:
-                steps.send(said)
-            except StopIteration as end:
-                return end.value
-            said = answer
+        return driven(clarified(parsed), lambda _question: answer)
 
     return meaning

@@ -90,7 +90,7 @@ class Executive:
 
     def admitted(self, checked):
         """A trajectory that both sides let pass."""
-        job = self.planning.submit(CheckRequest(checked.trajectory, PlanningScene()))
+        job = self.planning.check(CheckRequest(checked.trajectory, PlanningScene()))
         self.worker.answer(Planned(checked, 0.1, "{}"))
         for _ in range(20):
             if job.done:

@@ -41,7 +41,7 @@ def carried_on(executive, talos, commands):
         for k in range(commands):
             q = executive.motion.reference()
             executive.far.checker.answer = checked = swing(talos, q, 0.2 * (-1) ** k, 0.6)
-            job = executive.planning.submit("request")
+            job = executive.planning.check("question")
             executive.worker.answer(Planned(checked, 0.0, "{}"))
             for _ in range(40):
                 if job.done:
@@ -103,7 +103,7 @@ def test_a_command_that_never_arrives_is_refused_when_the_next_one_does(attach, 
 def test_a_trajectory_that_was_lost_on_its_way_to_the_checker_is_sent_again(attach, talos):
     executive = attach("drop", 0)
     checked = swing(talos, executive.motion.reference())
-    job = executive.planning.submit("request")
+    job = executive.planning.check("question")
     executive.worker.answer(Planned(checked, 0.0, "{}"))
     send = executive.link._connection.send
     executive.link._connection.send = lambda *_frame: None

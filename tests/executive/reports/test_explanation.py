@@ -8,9 +8,10 @@ from executive.reports.explanation import ADVICE, MEANINGS, explained, in_a_sent
 from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.step import NoPlan
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, OpenChoice
 
-GUIDE = Path(__file__).parents[3] / "docs" / "why.md"
+DOCS = Path(__file__).parents[3] / "docs"
+GUIDE = DOCS / "guides" / "why.md"
 
 
 def elbow_meets_table(request: CheckRequest) -> Unsafe:
@@ -115,8 +116,14 @@ def test_every_kind_has_a_meaning_in_the_guide():
         assert f"| {kind.value} | {meaning} | {ADVICE[kind]} |" in text
 
 
+def test_every_kind_has_the_same_meaning_where_failures_are_explained():
+    text = (DOCS / "understand" / "failures.md").read_text()
+
+    assert [kind for kind in FailureKind if f"| {kind.value} | {MEANINGS[kind]} |" not in text] == []
+
+
 def test_a_question_that_nobody_answered_tells_what_to_choose_from():
-    failure = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+    failure = Failure.asking("which cup? there are 2", OpenChoice(("blue cup", "red cup")))
 
     lines = list(explained(failure))
 

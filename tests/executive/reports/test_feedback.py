@@ -7,7 +7,7 @@ from executive.reports.feedback import failure_lines, line_for, quantity, result
 from executive.session.task_result import TaskResult, TaskTimes
 from robots.control.events import MotionEnded, SetpointRefused
 from trees.events import LeafFailed, NodeChanged, NotSo
-from trees.failures import Failure
+from trees.failures import Failure, OpenChoice
 
 TIMES = TaskTimes(0.4, 8.4, 2.9)
 PICKED = TaskResult(
@@ -127,7 +127,7 @@ def test_a_motion_that_was_stopped_on_purpose_is_told_as_such(status, line):
 
 
 def test_several_that_fit_end_in_a_question_with_its_choices():
-    root = Failure.infeasible("which cup? there are 2", choices="blue cup | red cup", count=2)
+    root = Failure.asking("which cup? there are 2", OpenChoice(("blue cup", "red cup")))
     failure = Failure.infeasible("could not pick up the cup", root)
 
     result = TaskResult("pick up the cup", "pick", "question", failure=failure)

@@ -46,7 +46,7 @@ def test_plain_output_is_a_line_for_each_leaf_and_failure():
     play(PlainDisplay(stream))
 
     assert stream.getvalue() == (
-        "[   0.20 s] accepted: pick the red cup from the table\n"
+        "[   0.20 s] accepted: pick up the red cup from the table\n"
         "[   0.20 s] EXECUTING: pick/detect\n"
         "[   1.50 s] failed: nothing red in view (seen 0) [INFEASIBLE at pick/detect]\n"
     )

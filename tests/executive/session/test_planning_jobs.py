@@ -5,6 +5,8 @@ from concurrent.futures import Executor, Future
 import pytest
 
 from executive.session.planning_jobs import PlanningJobs
+from kinematics.motion.verdict import Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 
 
@@ -20,7 +22,7 @@ class Planner:
 
 def jobs(planner):
     clock, events = ManualClock(), []
-    return PlanningJobs(planner, clock, events.append, charged_s=0.1), clock, events
+    return PlanningJobs(planner, None, clock, events.append, charged_s=0.1), clock, events
 
 
 def test_a_job_is_not_done_before_its_charged_time_has_passed():
@@ -75,7 +77,12 @@ class Waiting(Future):
 @pytest.fixture
 def later():
     clock, events, executor = ManualClock(), [], Later()
-    return PlanningJobs(Planner(), clock, events.append, executor, charged_s=0.1), clock, events, executor
+    return (
+        PlanningJobs(Planner(), None, clock, events.append, executor, charged_s=0.1),
+        clock,
+        events,
+        executor,
+    )
 
 
 def test_nobody_waits_for_a_planner_that_works_elsewhere(later):
@@ -108,3 +115,50 @@ def test_nothing_is_told_of_what_was_cancelled(later):
 
     assert job.done
     assert not events
+
+
+class Checker:
+    """Says to everything what it was told to say."""
+
+    def __init__(self, verdict):
+        self._verdict = verdict
+
+    def check(self, trajectory, scene, concessions):
+        self.asked = trajectory, scene, concessions
+        return self._verdict
+
+
+@pytest.fixture
+def question():
+    return CheckRequest("trajectory", "scene", ("concession",))
+
+
+def test_a_check_goes_to_the_checker_and_never_to_the_planner(question):
+    clock, checker = ManualClock(), Checker(Unsafe(()))
+    planning = PlanningJobs(Planner(AssertionError("asked")), checker, clock, lambda _event: None)
+
+    job = planning.check(question)
+
+    assert job.result() is checker._verdict
+    assert checker.asked == ("trajectory", "scene", ("concession",))
+
+
+def test_each_verdict_is_told_with_its_question(question):
+    heard, verdict = [], Unsafe(())
+    planning = PlanningJobs(
+        None, Checker(verdict), ManualClock(), lambda _event: None, on_judged=lambda *told: heard.append(told)
+    )
+
+    planning.check(question)
+
+    assert heard == [(question, verdict)]
+
+
+def test_a_check_is_told_of_and_charged_as_planning_is(question):
+    clock, events = ManualClock(), []
+    planning = PlanningJobs(None, Checker(Unsafe(())), clock, events.append, charged_s=0.1)
+
+    job = planning.check(question)
+
+    assert not job.done
+    assert [(event.request, event.answer) for event in events] == [("CheckRequest", "Unsafe")]

@@ -6,10 +6,11 @@ import pytest
 from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand
 from executive.session import session as session_module
+from executive.session.driver import driven
 from executive.session.events import InputTaken, SensorsNoted, TaskAccepted, TaskEnded
 from executive.session.lockstep import PERIODS_A_TICK, SETTLE_TICKS
 from executive.session.planning_jobs import PlanningJobs
-from executive.session.session import HALT_TICKS, TASK_TIMEOUT_S, Session, ended
+from executive.session.session import HALT_TICKS, TASK_TIMEOUT_S, Session
 from robots.clock import ManualClock
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
@@ -69,7 +70,7 @@ class Stage:
         self.clock, self.events, self.tree = ManualClock(), [], tree
         self.loop = Loop(self.clock)
         monkeypatch.setattr(session_module, "build_tree", lambda task, toolbox: tree)
-        planning = PlanningJobs(None, self.clock, self.events.append)
+        planning = PlanningJobs(None, None, self.clock, self.events.append)
         self.session = Session(Toolbox(self.clock), self.loop, planning, self.events.append, **hooks)
 
 
@@ -239,7 +240,7 @@ def test_a_task_can_be_let_go_on_a_tick_at_a_time(stage):
     next(steps)
 
     assert on.loop.steps == before + PERIODS_A_TICK
-    assert ended(steps).outcome == "done"
+    assert driven(steps).outcome == "done"
 
 
 class Held:
@@ -271,7 +272,7 @@ def test_a_paused_task_is_not_ticked_until_it_goes_on_and_its_time_does_not_coun
     assert held.told == [("pause", "by the test")]
 
     made.session.resume()
-    result = ended(steps)
+    result = driven(steps)
 
     assert result.outcome == "done"
     assert held.told[1:] == [("resume",)]
@@ -290,7 +291,7 @@ def test_a_paused_task_can_be_cancelled_and_the_pause_ends_with_it(stage):
         next(steps)
     made.session.cancel("enough")
 
-    assert ended(steps).outcome == "cancelled"
+    assert driven(steps).outcome == "cancelled"
     assert not made.session.paused
     assert held.told[-1] == ("resume",)
 

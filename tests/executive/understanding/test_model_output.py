@@ -12,7 +12,7 @@ from executive.meaning import StopCommand, command_json
 from executive.understanding.model_output import ModelOutputError, model_output_schema, read_model_output
 from trees.tasks import GoHomeTask, ObjectDescription, ObjectOf, PickTask, Relation
 
-SCHEMA_FILE = Path(__file__).parents[3] / "docs" / "model_output.schema.json"
+SCHEMA_FILE = Path(__file__).parents[3] / "docs" / "reference" / "model_output.schema.json"
 SCHEMA = json.loads(SCHEMA_FILE.read_text())
 
 LEFT_CUP = {
@@ -41,7 +41,7 @@ def refused(text):
 
 @pytest.mark.requirement("L7")
 def test_the_published_schema_is_that_of_the_code():
-    assert model_output_schema() == SCHEMA, "run python -m tools.documents.model_output_schema"
+    assert model_output_schema() == SCHEMA, "run python -m tools.documents.schemas"
 
 
 @pytest.mark.requirement("L7")

@@ -12,6 +12,7 @@ from kinematics.checking.timeline import Timeline
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.trajectory import Trajectory
 from kinematics.standing.free_coordinates import free_coordinates
@@ -21,13 +22,13 @@ from kinematics.timing.curve_timing import Pace, time_curve
 def hasty(talos, stance, seed):
     """A motion of the whole body at random, within all limits."""
     rng = np.random.default_rng(seed)
-    space = free_coordinates(talos, stance)
+    space = free_coordinates(StandingRobot(talos, stance))
     ends = np.repeat(space.from_q(talos.q_home)[None], 2, axis=0)
     ends[1, :6] += rng.uniform(-0.04, 0.02, 6)
     ends[1, 6:] += rng.uniform(-0.2, 0.2, space.size - 6)
     columns = talos.indices(space.joints)
     ends[1, 6:] = np.clip(ends[1, 6:], talos.lower_rad[columns] + 0.01, talos.upper_rad[columns] - 0.01)
-    return time_curve(talos, space, stance, PolynomialCurve(ends), Pace())
+    return time_curve(StandingRobot(talos, stance), PolynomialCurve(ends), Pace())
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -74,8 +75,8 @@ def test_a_motion_on_a_platform_is_judged_as_it_is_on_the_floor(talos, stance, i
 @pytest.mark.parametrize("is_compiled", [True, False])
 def test_what_turns_the_rotors_is_in_the_judged_efforts(talos, stance, is_compiled):
     trajectory = hasty(talos, stance, 1)
-    light = {name: replace(gains, armature=0.0) for name, gains in talos.description.gains.items()}
-    without = RobotModel(replace(talos.description, gains=light))
+    light = dict.fromkeys(talos.description.armature, 0.0)
+    without = RobotModel(replace(talos.description, armature=light))
 
     at, torques, _ = judged(talos, trajectory, is_compiled)
     _, without_rotors, _ = judged(without, trajectory, is_compiled)
@@ -84,7 +85,7 @@ def test_what_turns_the_rotors_is_in_the_judged_efforts(talos, stance, is_compil
     window = DEFAULT_SETTINGS.acceleration_window_s
     t = np.clip(np.stack([at.t_s - window, at.t_s + window]), 0.0, trajectory.duration_s)
     before, after = (np.interp(row, trajectory.t_s, trajectory.v[:, 6 + joint]) for row in t)
-    armature = talos.description.gains[talos.joints[joint]].armature
+    armature = talos.description.armature[talos.joints[joint]]
     wanted = armature * (after - before) / (t[1] - t[0])
     assert np.abs(wanted).max() > 0.1
     np.testing.assert_allclose(torques[:, joint] - without_rotors[:, joint], wanted, atol=1e-7)

@@ -7,6 +7,7 @@ import pytest
 from kinematics.checking.settings import DEFAULT_SETTINGS, SPARE_M
 from kinematics.checking.start_gap import LEAD_IN_M, start_gap
 from kinematics.dynamics.zmp import zmp_margins_m
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
@@ -65,7 +66,7 @@ def test_what_the_checker_tolerates_contains_a_lead_in():
 def test_a_lead_in_keeps_the_zmp_within_what_the_com_margin_leaves(talos, stance):
     rng, gap = np.random.default_rng(6), start_gap(talos)
     still = standing(talos, stance, talos.q_home)
-    (at_rest_m,) = zmp_margins_m(talos, stance, TrajectorySampler(still).many(np.zeros(1)))
+    (at_rest_m,) = zmp_margins_m(StandingRobot(talos, stance), TrajectorySampler(still).many(np.zeros(1)))
     for _ in range(5):
         away = beside(talos, rng, 1e-6)
         away = pin.integrate(
@@ -75,5 +76,5 @@ def test_a_lead_in_keeps_the_zmp_within_what_the_com_margin_leaves(talos, stance
         )
         sampler = TrajectorySampler(lead_in(still, away, talos.acceleration))
         rows = sampler.many(np.linspace(0.0, sampler.duration_s - 1.0, 50))
-        lost_m = at_rest_m - zmp_margins_m(talos, stance, rows).min()
+        lost_m = at_rest_m - zmp_margins_m(StandingRobot(talos, stance), rows).min()
         assert lost_m < 0.5 * talos.description.com_margin_m

@@ -4,6 +4,7 @@ import pytest
 from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.collision import leg_room
 from kinematics.collision.validity import validity
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import FindingKind, Unsafe
@@ -17,12 +18,12 @@ SQUAT = np.array([-0.02, 0.05, -0.15, 0.2, 0.05, 0.3])
 
 @pytest.fixture(scope="module")
 def space(talos, stance):
-    return free_coordinates(talos, stance)
+    return free_coordinates(StandingRobot(talos, stance))
 
 
 @pytest.fixture(scope="module")
 def planner(talos, stance, space):
-    return PathPlanner(talos, space, validity(talos, stance, PlanningScene()))
+    return PathPlanner(talos, space, validity(StandingRobot(talos, stance), PlanningScene()))
 
 
 def squatting(space, share=1.0):

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import pytest
 
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.collision.relaxed_start import relaxed_at
 from kinematics.geometry import poses
@@ -11,6 +12,10 @@ from kinematics.motion_planner import MotionPlanner
 from kinematics.requests.move import MovePlan, MoveRequest
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+
+
+def judged(model, step):
+    return TrajectoryChecker(model).check(step.trajectory, step.scene, step.concessions)
 
 
 def ball_at_the_hand(talos, gap_m, movable=True):
@@ -37,7 +42,7 @@ def test_the_way_out_of_a_margin_is_planned_and_safe(talos, stance, gap_m):
     answer = planner.answer(request)
 
     assert isinstance(answer, MovePlan)
-    checked = planner.answer(answer.step.question)
+    checked = judged(talos, answer.step)
     assert isinstance(checked, CheckedTrajectory)
 
 
@@ -81,7 +86,7 @@ def test_what_is_held_and_seen_a_second_time_does_not_keep_the_hand_where_it_is(
     )
 
     assert isinstance(answer, MovePlan)
-    checked = planner.answer(answer.step.question)
+    checked = judged(talos, answer.step)
     assert isinstance(checked, CheckedTrajectory)
 
 
@@ -132,6 +137,6 @@ def test_a_head_may_turn_while_a_hand_is_believed_to_be_in_furniture(talos, stan
     )
 
     assert isinstance(looking, MovePlan)
-    checked = planner.answer(looking.step.question)
+    checked = judged(talos, looking.step)
     assert isinstance(checked, CheckedTrajectory)
     assert isinstance(waving, NoPlan)

@@ -3,13 +3,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.collision.wide_berth import BERTH_M, wide_berth
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests.check import CheckRequest
 from kinematics.requests.move import MovePlan, MoveRequest
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
@@ -55,7 +55,7 @@ def test_a_move_keeps_twice_the_margin_from_a_thing_where_there_is_room(talos, s
     assert not is_near(talos, ball, plan.step.trajectory.q[::10], 2.0 * MARGIN_M - 0.001)
     assert plan.step.scene.objects["ball"].margin_m == MARGIN_M
     assert isinstance(
-        planner.answer(CheckRequest(plan.step.trajectory, scene, plan.step.concessions)), CheckedTrajectory
+        TrajectoryChecker(talos).check(plan.step.trajectory, scene, plan.step.concessions), CheckedTrajectory
     )
 
 

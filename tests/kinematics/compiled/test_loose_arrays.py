@@ -8,7 +8,7 @@ from kinematics.checking.contacts import ContactFinder
 from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.compiled import readiness
 from kinematics.compiled.loose_arrays import in_one_piece
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import PlanningScene
 

@@ -4,8 +4,8 @@ import pytest
 
 from kinematics.dynamics.sole_shares import SoleShares
 from kinematics.dynamics.standing_dynamics import StandingDynamics
-from kinematics.model.stance import Stance
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 
 
 def by_frame_jacobians(model, q, stance):
@@ -40,7 +40,7 @@ def test_holding_efforts_are_those_of_the_textbook(talos, postures):
     for q in postures:
         stance = stance_at(talos, q)
 
-        efforts = StandingDynamics(talos, stance).holding_efforts(q)
+        efforts = StandingDynamics(StandingRobot(talos, stance)).holding_efforts(q)
 
         expected, _ = by_frame_jacobians(talos, q, stance)
         np.testing.assert_allclose(efforts, expected[6:], atol=1e-9)
@@ -51,7 +51,7 @@ def test_on_one_foot_the_other_leg_only_hangs(talos):
     q = talos.q_home
     left_only = Stance(stance_at(talos, q).soles[:1])
 
-    efforts = StandingDynamics(talos, left_only).holding_efforts(q)
+    efforts = StandingDynamics(StandingRobot(talos, left_only)).holding_efforts(q)
 
     expected, wrench = by_frame_jacobians(talos, q, left_only)
     np.testing.assert_allclose(efforts, expected[6:], atol=1e-9)
@@ -59,7 +59,7 @@ def test_on_one_foot_the_other_leg_only_hangs(talos):
 
 
 def test_the_home_posture_asks_for_a_fraction_of_each_joint(talos, stance):
-    efforts = StandingDynamics(talos, stance).holding_efforts(talos.q_home)
+    efforts = StandingDynamics(StandingRobot(talos, stance)).holding_efforts(talos.q_home)
 
     assert (np.abs(efforts) < 0.5 * talos.effort).all()
 
@@ -70,7 +70,7 @@ def test_the_efforts_of_a_motion_do_the_work_that_the_energy_takes(talos, stance
     arm = 6 + talos.group("left_arm")
     v[arm] = np.linspace(0.2, 0.8, 7)
     a[arm] = np.linspace(-2.0, 1.0, 7)
-    armature = np.array([talos.description.gains[name].armature for name in talos.joints])
+    armature = np.array([talos.description.armature[name] for name in talos.joints])
     data, step = talos.pin.createData(), 1e-6
 
     def energy(t):
@@ -79,13 +79,13 @@ def test_the_efforts_of_a_motion_do_the_work_that_the_energy_takes(talos, stance
         kinetic = pin.computeKineticEnergy(talos.pin, data, moved, speed)
         return kinetic + pin.computePotentialEnergy(talos.pin, data, moved) + 0.5 * armature @ speed[6:] ** 2
 
-    power = StandingDynamics(talos, stance).efforts(q, v, a) @ v[6:]
+    power = StandingDynamics(StandingRobot(talos, stance)).efforts(q, v, a) @ v[6:]
 
     assert power == pytest.approx((energy(step) - energy(-step)) / (2 * step), rel=1e-5)
 
 
 def test_an_answer_is_not_overwritten_by_the_next(talos, stance):
-    dynamics = StandingDynamics(talos, stance)
+    dynamics = StandingDynamics(StandingRobot(talos, stance))
     first = dynamics.holding_efforts(talos.q_home)
     kept = first.copy()
     other = talos.q_home.copy()

@@ -5,6 +5,7 @@ import pytest
 from kinematics.dynamics.zmp import balance_margins_m
 from kinematics.geometry import poses
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.motion.sampler import MotionSample
 
@@ -16,7 +17,7 @@ def test_the_zmp_is_where_the_rate_of_the_whole_bodys_momentum_puts_it(talos, st
     )
     v, a = rng.standard_normal((2, 9, talos.nv))
 
-    zmp_m, com_m = balance_margins_m(talos, stance, MotionSample(q, v, a))
+    zmp_m, com_m = balance_margins_m(StandingRobot(talos, stance), MotionSample(q, v, a))
 
     polygon, data = SupportPolygon(stance, talos.description.soles), talos.pin.createData()
     weight = 9.81 * pin.computeTotalMass(talos.pin)
@@ -39,7 +40,7 @@ def test_on_a_platform_the_zmp_is_on_the_plane_of_the_soles(talos, stance, monke
     q_raised = q.copy()
     q_raised[:, 2] += 0.1
 
-    on_floor, _ = balance_margins_m(talos, stance, MotionSample(q, v, a))
-    on_platform, _ = balance_margins_m(talos, raised, MotionSample(q_raised, v, a))
+    on_floor, _ = balance_margins_m(StandingRobot(talos, stance), MotionSample(q, v, a))
+    on_platform, _ = balance_margins_m(StandingRobot(talos, raised), MotionSample(q_raised, v, a))
 
     np.testing.assert_allclose(on_platform, on_floor, atol=1e-9)

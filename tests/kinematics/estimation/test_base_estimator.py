@@ -5,6 +5,10 @@ from kinematics.errors import KinematicsError
 from kinematics.estimation.base_estimator import BaseEstimator
 from kinematics.geometry import poses
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -14,7 +18,7 @@ class Walkthrough:
 
     def __init__(self, model, stance, rng=None):
         self.model, self.stance = model, stance
-        self.estimator = BaseEstimator(model, stance)
+        self.estimator = BaseEstimator(StandingRobot(model, stance))
         self.rng = rng
         self.stamp_s = 0.0
         self.last_imu = None
@@ -34,7 +38,7 @@ class Walkthrough:
         wrench = np.zeros((2, 6))
         wrench[:, 2] = self.loads
         if self.rng is not None:
-            noise = self.model.description.noise
+            noise = HARDWARE.noise
             measured += self.rng.normal(0.0, noise.joint_position_rad, measured.shape)
             gyro = gyro + self.rng.normal(0.0, noise.gyro_rad_s, 3)
             accelerometer = accelerometer + self.rng.normal(0.0, noise.accelerometer_m_s2, 3)
@@ -148,4 +152,4 @@ def test_each_estimate_is_a_value_of_its_own(walkthrough, talos):
 
 def test_a_stance_without_soles_cannot_be_estimated_from(talos):
     with pytest.raises(KinematicsError, match="without a sole"):
-        BaseEstimator(talos, Stance(()))
+        BaseEstimator(StandingRobot(talos, Stance(())))

@@ -4,6 +4,7 @@ import pytest
 from kinematics.dynamics.held_load import loaded
 from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.estimation.held_mass import HeldMass
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.trajectory import HeldLoad
 
 POINT_M = (0.02, 0.0, -0.05)
@@ -16,7 +17,7 @@ def weighed(talos, stance):
     def weigh(mass_kg, noise_nm=0.0, readings=1):
         model = loaded(talos, [HeldLoad("tcp_right", mass_kg, POINT_M)])
         q = talos.q_home
-        effort = StandingDynamics(model, stance).holding_efforts(q)
+        effort = StandingDynamics(StandingRobot(model, stance)).holding_efforts(q)
         rng, scales = np.random.default_rng(1), HeldMass(talos, "right")
         for _ in range(readings):
             felt = effort + rng.normal(0.0, noise_nm, len(effort)) if noise_nm else effort

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.following.hand_tracker import TARGET_STEP_M, TICK_S, HandGoal, HandTracker
+from kinematics.model.standing_robot import StandingRobot
 
 TIMES = 0.002 * np.arange(1, 6)
 UP = np.array([0.0, 0.0, 1.0])
@@ -22,7 +23,7 @@ def followed(tracker, goal, ticks):
 
 @pytest.fixture
 def tracker(talos, stance):
-    return HandTracker(talos, stance, "left", talos.q_home)
+    return HandTracker(StandingRobot(talos, stance), "left", talos.q_home)
 
 
 @pytest.mark.parametrize("offset", [(0.15, 0.0, 0.0), (0.0, -0.1, 0.04), (0.1, 0.05, -0.1)])

@@ -11,7 +11,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 
-GUIDE = (Path(__file__).parents[3] / "docs" / "trajectory-checker.md").read_text()
+GUIDE = (Path(__file__).parents[3] / "docs" / "reference" / "trajectory.md").read_text()
 
 
 @pytest.mark.parametrize("one", LOOSENED, ids=lambda one: one.what)

@@ -26,7 +26,7 @@ from kinematics.model.stance import Stance
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import SceneObject
 
-SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "trajectory.schema.json").read_text())
+SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "reference" / "trajectory.schema.json").read_text())
 
 names = st.text(st.characters(codec="utf-8", exclude_categories=("Cs",)), min_size=1, max_size=12).filter(
     lambda text: text.strip()

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
-from kinematics.ik.arm_frames import arm_kinematics
-from kinematics.ik.pointing import elbow_frame, link_moved_by
+from kinematics.ik.arm_frames import arm_kinematics, elbow_frame, link_moved_by
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 

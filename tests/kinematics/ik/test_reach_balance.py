@@ -4,6 +4,7 @@ import pytest
 
 from kinematics.ik import reach_balance
 from kinematics.ik.reach_problem import scratch
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.tree import tree_of
 from kinematics.standing.model_coordinates import standing_coordinates
 
@@ -17,7 +18,7 @@ def test_the_legs_follow_the_base_as_differences_say(talos, stance, space, monke
     for name in ("turning_axis", "_eliminate"):
         monkeypatch.setattr(reach_balance, name, uncompiled(getattr(reach_balance, name)))
     rng = np.random.default_rng(4)
-    tree, coordinates = tree_of(talos.pin), standing_coordinates(talos, stance)
+    tree, coordinates = tree_of(talos.pin), standing_coordinates(StandingRobot(talos, stance))
     data = talos.pin.createData()
     memory = scratch(tree, talos.nq, space.size, coordinates.leg_bodies, 1)
     columns = tree.column[coordinates.leg_bodies]

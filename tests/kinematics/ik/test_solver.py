@@ -5,6 +5,7 @@ from kinematics.geometry import poses
 from kinematics.ik.placo_ik import PlacoIk
 from kinematics.ik.reach_ik import ReachIk
 from kinematics.ik.result import IkTolerance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 
 
@@ -12,7 +13,7 @@ from kinematics.model.support_polygon import SupportPolygon
 @pytest.mark.parametrize("hand", ["left", "right"])
 def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand, solver):
     rng = np.random.default_rng(3)
-    ik = solver(talos, stance, hand)
+    ik = solver(StandingRobot(talos, stance), hand)
     frame = talos.description.grippers[hand].tcp_frame
     side = 1.0 if hand == "left" else -1.0
     polygon = SupportPolygon(stance, talos.description.soles)
@@ -35,7 +36,7 @@ def test_residuals_of_reachable_poses_are_what_they_claim(talos, stance, hand, s
 
 @pytest.mark.parametrize("solver", [PlacoIk, ReachIk])
 def test_an_unreachable_pose_is_admitted(talos, stance, solver):
-    ik = solver(talos, stance, "right")
+    ik = solver(StandingRobot(talos, stance), "right")
 
     result = ik.solve(poses.translation(1.6, -0.3, 1.0), talos.q_home)
 
@@ -47,8 +48,8 @@ def test_an_unreachable_pose_is_admitted(talos, stance, solver):
 def test_the_same_question_has_the_same_answer(talos, stance, solver):
     target = poses.translation(0.5, -0.25, 1.0)
 
-    first = solver(talos, stance, "right").solve(target, talos.q_home).q
-    second = solver(talos, stance, "right").solve(target, talos.q_home).q
+    first = solver(StandingRobot(talos, stance), "right").solve(target, talos.q_home).q
+    second = solver(StandingRobot(talos, stance), "right").solve(target, talos.q_home).q
 
     assert np.array_equal(first, second)
 
@@ -58,7 +59,7 @@ def test_following_many_poses_is_solving_one_after_another(talos, stance, hand):
     side = 1.0 if hand == "left" else -1.0
     turn = poses.rotation_z(-0.3 * side)
     targets = [poses.transform(turn, (0.45 + 0.03 * k, 0.25 * side, 1.0 - 0.08 * k)) for k in range(4)]
-    ik = ReachIk(talos, stance, hand)
+    ik = ReachIk(StandingRobot(talos, stance), hand)
     q = ik.solve(targets[0], talos.q_home).q
     one_by_one = []
     for target in targets[1:]:
@@ -74,7 +75,7 @@ def test_following_many_poses_is_solving_one_after_another(talos, stance, hand):
 
 
 def test_following_ends_before_the_first_pose_that_is_out_of_reach(talos, stance):
-    ik = ReachIk(talos, stance, "right")
+    ik = ReachIk(StandingRobot(talos, stance), "right")
     near, far = poses.translation(0.5, -0.25, 1.0), poses.translation(1.6, -0.3, 1.0)
 
     followed = ik.follow([near, far, near], ik.solve(near, talos.q_home).q)
@@ -83,7 +84,7 @@ def test_following_ends_before_the_first_pose_that_is_out_of_reach(talos, stance
 
 
 def test_a_low_pose_that_upright_knees_do_not_reach_is_reached_by_bending_them(talos, stance):
-    ik, low = ReachIk(talos, stance, "right"), poses.translation(0.5, -0.25, 0.3)
+    ik, low = ReachIk(StandingRobot(talos, stance), "right"), poses.translation(0.5, -0.25, 0.3)
 
     assert not ik.solve(low, talos.q_home, upright=True).within(IkTolerance())
     assert ik.solve(low, talos.q_home).within(IkTolerance())

@@ -7,6 +7,7 @@ from kinematics.kernel import buffers
 from kinematics.kernel.buffers import Buffers
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import humanoid_arrays
+from kinematics.model.standing_robot import StandingRobot
 
 HULLS = np.arange(6.0)
 
@@ -47,26 +48,33 @@ def test_a_judge_in_memory_that_was_used_answers_to_the_bit_as_one_in_fresh_memo
     used = humanoid_arrays(talos)
     floats = soiled(used, seed)
 
-    kernel = CollisionKernel.standing(used, talos, stance, scene, 0.003)
+    kernel = CollisionKernel.standing(used, StandingRobot(talos, stance), scene, 0.003)
 
     assert kernel._shared._packed.floats is floats
-    expected = answers(CollisionKernel.standing(fresh, talos, stance, scene, 0.003), talos, space, at_random)
+    expected = answers(
+        CollisionKernel.standing(fresh, StandingRobot(talos, stance), scene, 0.003),
+        talos,
+        space,
+        at_random,
+    )
     assert answers(kernel, talos, space, at_random) == expected
 
 
 def test_memory_comes_back_when_nobody_judges_by_it_any_longer(talos, stance, make, at_random):
     arrays = humanoid_arrays(talos)
     scene = at_random.scene(np.random.default_rng(2), talos, make)
-    kernel = CollisionKernel.standing(arrays, talos, stance, scene)
+    kernel = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene)
     other = kernel.allowing(scene.allowing([("held", "thing_0")]))
     memory = kernel._shared._packed.floats
 
     del kernel
-    beside = CollisionKernel.standing(arrays, talos, stance, scene)
+    beside = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene)
     assert beside._shared._packed.floats is not memory
     del other
 
-    assert CollisionKernel.standing(arrays, talos, stance, scene)._shared._packed.floats is memory
+    assert (
+        CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene)._shared._packed.floats is memory
+    )
 
 
 def test_memory_that_is_too_small_is_not_handed_out():

@@ -13,11 +13,12 @@ from kinematics.geometry.shapes import Ball, Box
 from kinematics.kernel import door
 from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 def both(arrays, talos, stance, scene, extra_m=0.004, own_m=0.005):
-    kernel = CollisionKernel.standing(arrays, talos, stance, scene, extra_m, own_m)
+    kernel = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene, extra_m, own_m)
     return kernel, CollisionWorld(talos, scene, extra_m, own_m)
 
 
@@ -31,7 +32,7 @@ def random_edge(rng, talos, space, at_random, length=2.0):
 
 def test_its_coordinates_are_those_of_the_planner(arrays, talos, stance, space, at_random):
     rng = np.random.default_rng(0)
-    kernel = CollisionKernel.standing(arrays, talos, stance, PlanningScene())
+    kernel = CollisionKernel.standing(arrays, StandingRobot(talos, stance), PlanningScene())
     x = np.array([at_random.point(rng, talos, space) for _ in range(100)])
     q, reached = space.to_q(x)
 
@@ -61,7 +62,7 @@ def test_it_agrees_with_coal_on_configurations_amid_clutter(
 def test_it_agrees_with_the_planner_on_points(seed, arrays, talos, stance, space, make, at_random):
     rng = np.random.default_rng(100 + seed)
     kernel, world = both(arrays, talos, stance, at_random.scene(rng, talos, make))
-    sampled = SampledValidity(talos, stance, world)
+    sampled = SampledValidity(StandingRobot(talos, stance), world)
     x = [at_random.point(rng, talos, space) for _ in range(150)]
 
     assert [kernel.is_free(point) for point in x] == [sampled.points_are_free(point[None]) for point in x]
@@ -74,7 +75,7 @@ def test_an_edge_that_is_proven_free_is_free_wherever_coal_looks(
     proven = refused = pessimistic = 0
     for k in range(6):
         kernel, world = both(arrays, talos, stance, at_random.scene(rng, talos, make, held=k % 2 == 1))
-        sampled = SampledValidity(talos, stance, world)
+        sampled = SampledValidity(StandingRobot(talos, stance), world)
         for _ in range(60):
             a, b = random_edge(rng, talos, space, at_random, length=0.5)
             points = a + (b - a) * np.linspace(0.0, 1.0, 129)[:, None]
@@ -96,8 +97,8 @@ def test_a_thin_rod_between_two_samples_is_found(arrays, talos, stance, space):
     middle = space.to_q((a + 0.437 * (b - a))[None])[0][0]
     tip = talos.frame_pose(middle, "gripper_right_fingertip_1_link")
     rod = SceneObject("rod", Box((0.001, 0.4, 0.001)), tip @ poses.translation(0.0, 0.0, 0.0))
-    clear = CollisionKernel.standing(arrays, talos, stance, PlanningScene())
-    blocked = CollisionKernel.standing(arrays, talos, stance, PlanningScene().with_object(rod))
+    clear = CollisionKernel.standing(arrays, StandingRobot(talos, stance), PlanningScene())
+    blocked = CollisionKernel.standing(arrays, StandingRobot(talos, stance), PlanningScene().with_object(rod))
 
     assert clear.edge_is_free(a, b)
     refusal = blocked.polyline_refusal(np.stack([a, b]))
@@ -124,14 +125,16 @@ def test_whatever_is_where_a_fingertip_passes_while_the_pelvis_moves_is_found(ar
         if k % 2:
             arm = [space.index(joint) for joint in talos.description.groups["right_arm"]]
             b[arm] += rng.uniform(-0.4, 0.4, 7)
-        clear = CollisionKernel.standing(arrays, talos, stance, PlanningScene())
+        clear = CollisionKernel.standing(arrays, StandingRobot(talos, stance), PlanningScene())
         if not clear.edge_is_free(a, b):
             continue
         share = rng.uniform(0.05, 0.95)
         q = space.to_q((a + share * (b - a))[None])[0][0]
         tip = talos.frame_pose(q, "gripper_right_fingertip_1_link")
         speck = SceneObject("speck", Ball(0.0005), tip)
-        blocked = CollisionKernel.standing(arrays, talos, stance, PlanningScene().with_object(speck))
+        blocked = CollisionKernel.standing(
+            arrays, StandingRobot(talos, stance), PlanningScene().with_object(speck)
+        )
 
         assert not blocked.edge_is_free(a, b)
         found += 1
@@ -146,10 +149,10 @@ def test_a_judge_that_allows_more_answers_as_one_made_for_it(
     scene = at_random.scene(rng, talos, make, held=holding)
     links = [name for name in arrays.solids_of if "gripper_right" in name]
     more = scene.allowing([(link, name) for link in (*links, *scene.attached) for name in scene.objects])
-    first = CollisionKernel.standing(arrays, talos, stance, scene, 0.004, 0.005)
+    first = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene, 0.004, 0.005)
     shared = first.allowing(more)
-    own = CollisionKernel.standing(arrays, talos, stance, more, 0.004, 0.005)
-    strict = CollisionKernel.standing(arrays, talos, stance, scene, 0.004, 0.005)
+    own = CollisionKernel.standing(arrays, StandingRobot(talos, stance), more, 0.004, 0.005)
+    strict = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene, 0.004, 0.005)
     x = [at_random.point(rng, talos, space) for _ in range(150)]
 
     answers = [(first.is_free(point), shared.is_free(point)) for point in x]
@@ -163,7 +166,7 @@ def test_a_judge_of_a_held_body_is_made_anew_when_that_may_touch_more_of_the_rob
     arrays, talos, stance, make, at_random
 ):
     scene = at_random.scene(np.random.default_rng(21), talos, make, held=True)
-    first = CollisionKernel.standing(arrays, talos, stance, scene)
+    first = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene)
     (held,) = scene.attached
 
     assert first.allowing(scene.allowing([(held, "torso_2_link")])) is None
@@ -204,14 +207,16 @@ def test_allowed_pairs_are_not_judged_and_touch_links_may_touch(arrays, talos, s
 def test_a_body_on_an_unknown_frame_is_refused(arrays, talos, stance):
     scene = PlanningScene().with_object(SceneObject("cup", Ball(0.05), np.eye(4)))
     with pytest.raises(UnknownNameError):
-        CollisionKernel.standing(arrays, talos, stance, scene.with_attached("cup", "hook", np.eye(4), ()))
+        CollisionKernel.standing(
+            arrays, StandingRobot(talos, stance), scene.with_attached("cup", "hook", np.eye(4), ())
+        )
 
 
 def test_the_same_questions_get_the_same_answers_to_the_bit(arrays, talos, stance, space, make, at_random):
     def answers():
         rng = np.random.default_rng(5)
         kernel = CollisionKernel.standing(
-            arrays, talos, stance, at_random.scene(rng, talos, make), 0.004, 0.005
+            arrays, StandingRobot(talos, stance), at_random.scene(rng, talos, make), 0.004, 0.005
         )
         edges = [np.stack(random_edge(rng, talos, space, at_random, 0.5)) for _ in range(20)]
         return [kernel.polyline_refusal(edge) for edge in edges], kernel.distances_m(talos.q_home).tobytes()
@@ -221,7 +226,7 @@ def test_the_same_questions_get_the_same_answers_to_the_bit(arrays, talos, stanc
 
 def test_nothing_is_compiled_twice(arrays, talos, stance, space, make, at_random):
     rng = np.random.default_rng(6)
-    kernel = CollisionKernel.standing(arrays, talos, stance, at_random.scene(rng, talos, make))
+    kernel = CollisionKernel.standing(arrays, StandingRobot(talos, stance), at_random.scene(rng, talos, make))
     empty = CollisionKernel(arrays, PlanningScene())
     point = at_random.point(rng, talos, space)
     kernel.is_free(point)

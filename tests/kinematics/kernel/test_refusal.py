@@ -5,6 +5,7 @@ import pytest
 from kinematics.collision import validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion_planner import MotionPlanner
 from kinematics.requests.move import MoveRequest
 from kinematics.requests.step import NoPlan
@@ -27,7 +28,7 @@ def judge(request, talos, stance, monkeypatch):
     """The judge of a scene: compiled, or Coal point by point."""
     if request.param == "samples":
         monkeypatch.setattr(validity, "_kernel_is_there", lambda: False)
-    return lambda scene: validity.validity(talos, stance, scene)
+    return lambda scene: validity.validity(StandingRobot(talos, stance), scene)
 
 
 @pytest.mark.requirement("F1")
@@ -35,7 +36,7 @@ def judge(request, talos, stance, monkeypatch):
     ("forward_m", "joints", "scene", "told"), [case[1:] for case in CASES], ids=[c[0] for c in CASES]
 )
 def test_the_cause_is_told(talos, stance, judge, forward_m, joints, scene, told):
-    space = free_coordinates(talos, stance)
+    space = free_coordinates(StandingRobot(talos, stance))
     x = space.home.copy()
     x[0] += forward_m
     for joint, angle in joints.items():

@@ -13,6 +13,7 @@ from kinematics.kernel.collision_kernel import CollisionKernel
 from kinematics.kernel.robot_arrays import RobotArrays
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.free_coordinates import FreeCoordinates
 from robots.models.description import load_description
@@ -131,7 +132,7 @@ def test_an_arms_edges_that_are_proven_are_free_wherever_coal_looks():
     """Of an arm whose joints turn at one speed: their motion is bounded along the separating direction."""
     model = RobotModel(load_description("panda"))
     stance = Stance(())
-    space = FreeCoordinates(model, stance)
+    space = FreeCoordinates(StandingRobot(model, stance))
     rng = np.random.default_rng(11)
     proven = refused = pessimistic = 0
     for _ in range(6):
@@ -142,7 +143,7 @@ def test_an_arms_edges_that_are_proven_are_free_wherever_coal_looks():
             for k, shape in enumerate([Box((0.05, 0.2, 0.1)), Ball(0.06), Box((0.004, 0.004, 0.5))] * 2)
         ]
         scene = PlanningScene().with_objects(things)
-        kernel = validity(model, stance, scene)
+        kernel = validity(StandingRobot(model, stance), scene)
         world = CollisionWorld(model, with_floor(model, scene))
         for _ in range(40):
             a = rng.uniform(model.lower_rad[:7] + 0.02, model.upper_rad[:7] - 0.02)

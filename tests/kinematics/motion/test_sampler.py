@@ -3,7 +3,7 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from kinematics.geometry import poses
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
 

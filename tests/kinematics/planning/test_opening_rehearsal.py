@@ -9,6 +9,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.kernel.refusal import NotFree
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.opening_rehearsal import rehearse
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -18,7 +19,7 @@ def led_forwards(model, stance, scene=None, far_m=0.05):
     tcp_m = model.frame_pose(model.q_home, "tcp_left")[:3, 3]
     line = DrawerLine(tcp_m, np.pi)
     return rehearse(
-        model, stance, "left", model.q_home, scene or PlanningScene(), (), line, 0.0, far_m
+        StandingRobot(model, stance), "left", model.q_home, scene or PlanningScene(), (), line, 0.0, far_m
     )  # fmt: skip
 
 
@@ -60,6 +61,8 @@ def test_a_pull_tips_a_robot_on_a_platform_as_it_does_on_the_floor(talos, stance
     raised = Stance(tuple((frame, poses.translation(0.0, 0.0, 0.1) @ pose) for frame, pose in stance.soles))
     outward = np.array([-1.0, 0.0, 0.0])
 
-    on_floor = com_shift_m(talos, stance, outward, 1.0, 40.0)
+    on_floor = com_shift_m(StandingRobot(talos, stance), outward, 1.0, 40.0)
 
-    np.testing.assert_allclose(com_shift_m(talos, raised, outward, 1.1, 40.0), on_floor, atol=1e-12)
+    np.testing.assert_allclose(
+        com_shift_m(StandingRobot(talos, raised), outward, 1.1, 40.0), on_floor, atol=1e-12
+    )

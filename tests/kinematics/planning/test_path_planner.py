@@ -5,6 +5,7 @@ from kinematics.collision.collision_world import CollisionWorld
 from kinematics.collision.validity import SampledValidity, validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.path_planner import PathPlanner, PathSettings
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.free_coordinates import FreeCoordinates
@@ -12,7 +13,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates
 
 def problem(talos, stance):
     """The right hand has to get past a post that stands in the straight way."""
-    space = FreeCoordinates(talos, stance)
+    space = FreeCoordinates(StandingRobot(talos, stance))
     start = space.from_q(talos.q_home)
     goal = start.copy()
     goal[space.index("arm_right_4_joint")] = -0.6
@@ -27,7 +28,11 @@ def problem(talos, stance):
 def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance, compiled):
     space, start, goal, moving, scene = problem(talos, stance)
     world = CollisionWorld(talos, scene)
-    judge = validity(talos, stance, scene) if compiled else SampledValidity(talos, stance, world)
+    judge = (
+        validity(StandingRobot(talos, stance), scene)
+        if compiled
+        else SampledValidity(StandingRobot(talos, stance), world)
+    )
     assert (judge.path_search() is not None) == compiled
     planner = PathPlanner(talos, space, judge, PathSettings(iterations=600))
 
@@ -43,7 +48,9 @@ def test_a_detour_is_found_where_the_straight_line_is_blocked(talos, stance, com
 
 def test_the_same_seed_gives_the_same_path(talos, stance):
     space, start, goal, moving, scene = problem(talos, stance)
-    planner = PathPlanner(talos, space, validity(talos, stance, scene), PathSettings(iterations=600))
+    planner = PathPlanner(
+        talos, space, validity(StandingRobot(talos, stance), scene), PathSettings(iterations=600)
+    )
     s = np.linspace(0, 1, 20)
 
     first = planner.plan(start, goal, moving, np.random.default_rng(7))
@@ -60,7 +67,7 @@ def test_a_goal_in_collision_has_no_path(talos, stance):
             "block", Box((0.1, 0.1, 0.1)), poses.translation(*talos.frame_pose(q, "tcp_right")[:3, 3])
         )
     )
-    planner = PathPlanner(talos, space, validity(talos, stance, blocked))
+    planner = PathPlanner(talos, space, validity(StandingRobot(talos, stance), blocked))
 
     assert planner.plan(start, goal, moving, np.random.default_rng(0)) is None
 
@@ -68,4 +75,4 @@ def test_a_goal_in_collision_has_no_path(talos, stance):
 def test_without_the_compiled_kernel_coal_judges(talos, stance, monkeypatch):
     monkeypatch.setattr("kinematics.collision.validity._kernel_is_there", lambda: False)
 
-    assert isinstance(validity(talos, stance, PlanningScene()), SampledValidity)
+    assert isinstance(validity(StandingRobot(talos, stance), PlanningScene()), SampledValidity)

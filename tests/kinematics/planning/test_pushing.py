@@ -10,7 +10,8 @@ from kinematics.collision.validity import validity
 from kinematics.geometry.shapes import Box
 from kinematics.kernel.refusal import NotFree
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.handle_planner import HandlePlanner
 from kinematics.planning.pushing import assumed_bars, hand_points, outward_of, push_grasps
 from kinematics.requests.handle import HandlePlan, HandleRequest
@@ -113,13 +114,18 @@ def test_the_way_to_a_push_keeps_clear_of_where_the_bar_may_be(model):
 
     assert isinstance(plan, HandlePlan)
     assert bar.name in plan.reach.scene.objects
-    judge = validity(model, asked.stance, PlanningScene().with_object(replace(bar, margin_m=0.0)), 0.0, 0.0)
+    judge = validity(
+        StandingRobot(model, asked.stance),
+        PlanningScene().with_object(replace(bar, margin_m=0.0)),
+        0.0,
+        0.0,
+    )
     assert all(judge.colliding_pair(q) is None for q in plan.reach.trajectory.q)
 
 
 def test_a_push_that_leans_too_far_is_refused_for_that_and_not_for_a_collision(model, monkeypatch):
     asked = request(model, -1.0, 1.1)
-    kernel = type(validity(model, asked.stance, asked.scene))
+    kernel = type(validity(StandingRobot(model, asked.stance), asked.scene))
     monkeypatch.setattr(kernel, "not_free", lambda _self, _x: NotFree("balance"))
 
     answer = HandlePlanner(model).plan(asked)

@@ -8,6 +8,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.planning.retreat_planner import plan_retreat
 from kinematics.requests.move import MovePlan, RetreatRequest
@@ -37,7 +38,7 @@ def request(model, **wishes):
             for side, y in (("left", 0.085), ("right", -0.085))
         )
     )
-    q, _ = free_coordinates(model, stance).to_q(np.array([BESIDE_A_DOOR]))
+    q, _ = free_coordinates(StandingRobot(model, stance)).to_q(np.array([BESIDE_A_DOOR]))
     return RetreatRequest(q[0], stance, PlanningScene(), "left", AWAY_M, **wishes)
 
 
@@ -67,7 +68,7 @@ def test_a_retreat_that_would_bring_the_robot_off_balance_is_not_made(model):
 
 def test_where_joints_are_near_their_limits_the_way_does_not_swing_beyond_them(model):
     rng = np.random.default_rng(3)
-    space = free_coordinates(model, request(model).stance)
+    space = free_coordinates(StandingRobot(model, request(model).stance))
     at = model.indices(space.joints)
     for _ in range(50):
         x = np.array(BESIDE_A_DOOR)

@@ -7,7 +7,7 @@ from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.planning.view_planner import ViewPlanner
 from kinematics.requests.move import MovePlan

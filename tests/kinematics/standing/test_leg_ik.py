@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.leg_ik import LegIk
 
 
@@ -15,7 +16,7 @@ def shifted_pelvis(talos, rng, count):
 def test_soles_stay_at_the_stance_to_a_nanometre(talos, stance):
     q = shifted_pelvis(talos, np.random.default_rng(0), 200)
 
-    reached = LegIk(talos, stance).fill(q)
+    reached = LegIk(StandingRobot(talos, stance)).fill(q)
 
     assert reached.all()
     for configuration in q:
@@ -27,4 +28,4 @@ def test_a_pelvis_that_is_too_high_is_not_reached(talos, stance):
     q = np.array([talos.q_home])
     q[0, 2] += 0.3
 
-    assert not LegIk(talos, stance).fill(q)[0]
+    assert not LegIk(StandingRobot(talos, stance)).fill(q)[0]

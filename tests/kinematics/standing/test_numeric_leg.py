@@ -7,7 +7,8 @@ import pytest
 
 from kinematics.errors import ModelError
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing import leg_ik
 from kinematics.standing.leg_ik import LegIk
 from kinematics.standing.numeric_leg import NumericLeg
@@ -31,7 +32,7 @@ def test_soles_stay_at_the_stance_to_a_nanometre(g1):
     stance = stance_at(g1, g1.q_home)
     q = shifted(g1, np.random.default_rng(0), 200)
 
-    reached = LegIk(g1, stance).fill(q)
+    reached = LegIk(StandingRobot(g1, stance)).fill(q)
 
     assert reached.all()
     for configuration in q:
@@ -49,7 +50,7 @@ def test_the_legs_that_made_a_stance_are_found_again(g1):
         found = q.copy()
         found[7 + legs] = 0.0
 
-        assert LegIk(g1, stance_at(g1, q)).fill(found[None, :]).all()
+        assert LegIk(StandingRobot(g1, stance_at(g1, q))).fill(found[None, :]).all()
         assert found == pytest.approx(q, abs=1e-7)
 
 
@@ -59,7 +60,7 @@ def test_neighbouring_poses_have_neighbouring_legs(g1):
     q[:, 2] -= np.linspace(0.0, 0.3, 400)
     q[:, 0] += 0.05 * np.sin(np.linspace(0.0, 6.0, 400))
 
-    assert LegIk(g1, stance).fill(q).all()
+    assert LegIk(StandingRobot(g1, stance)).fill(q).all()
     assert np.max(np.abs(np.diff(q[:, 7:], axis=0))) < 0.02
 
 
@@ -68,9 +69,9 @@ def test_a_pose_is_solved_the_same_alone_and_among_others(g1):
     together = shifted(g1, np.random.default_rng(2), 20)
     alone = together.copy()
 
-    LegIk(g1, stance).fill(together)
+    LegIk(StandingRobot(g1, stance)).fill(together)
     for row in alone:
-        LegIk(g1, stance).fill(row[None, :])
+        LegIk(StandingRobot(g1, stance)).fill(row[None, :])
 
     assert together == pytest.approx(alone, abs=1e-10)
 
@@ -79,7 +80,7 @@ def test_a_pelvis_that_is_too_high_is_not_reached(g1):
     q = np.array([g1.q_home, g1.q_home])
     q[1, 2] += 0.3
 
-    assert LegIk(g1, stance_at(g1, g1.q_home)).fill(q).tolist() == [True, False]
+    assert LegIk(StandingRobot(g1, stance_at(g1, g1.q_home))).fill(q).tolist() == [True, False]
 
 
 def test_both_ways_agree_on_a_leg_that_has_a_closed_form(talos, stance):
@@ -87,7 +88,7 @@ def test_both_ways_agree_on_a_leg_that_has_a_closed_form(talos, stance):
     closed, numeric = q.copy(), q.copy()
     placed = dict(stance.soles)
 
-    LegIk(talos, stance).fill(closed)
+    LegIk(StandingRobot(talos, stance)).fill(closed)
     for side in ("left", "right"):
         frame = f"{side}_sole_link"
         leg = NumericLeg(talos, f"{side}_leg", frame, placed[frame])

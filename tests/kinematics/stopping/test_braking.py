@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.trajectory import Trajectory
@@ -39,7 +40,7 @@ def swung(talos, amount, duration_s, segments=100):
 def test_braking_stays_on_the_path_within_limits_and_ends_at_rest(talos, stance, share):
     sampler = swing(talos, 0.8, 1.2)
 
-    brake = brake_along(talos, stance, sampler, share * 1.2, PERIOD_S)
+    brake = brake_along(StandingRobot(talos, stance), sampler, share * 1.2, PERIOD_S)
 
     assert brake is not None
     rows = brake.rows
@@ -63,7 +64,7 @@ def test_where_the_acceleration_of_a_path_steps_differences_of_setpoints_keep_th
         v[1:-1, 6 + talos.joint_index(name)] += rng.normal(0.0, 1e-4, 118)
     stepping = TrajectorySampler(dataclasses.replace(smooth, v=v))
 
-    brake = brake_along(talos, stance, stepping, t_s, PERIOD_S)
+    brake = brake_along(StandingRobot(talos, stance), stepping, t_s, PERIOD_S)
 
     assert brake is not None
     assert not brake.steps
@@ -72,8 +73,8 @@ def test_where_the_acceleration_of_a_path_steps_differences_of_setpoints_keep_th
 
 
 def test_a_slow_motion_stops_gently_and_sooner_than_a_fast_one(talos, stance):
-    slow = brake_along(talos, stance, swing(talos, 0.1, 1.2), 0.6, PERIOD_S)
-    fast = brake_along(talos, stance, swing(talos, 0.8, 1.2), 0.6, PERIOD_S)
+    slow = brake_along(StandingRobot(talos, stance), swing(talos, 0.1, 1.2), 0.6, PERIOD_S)
+    fast = brake_along(StandingRobot(talos, stance), swing(talos, 0.8, 1.2), 0.6, PERIOD_S)
 
     assert slow is not None
     assert fast is not None
@@ -82,7 +83,7 @@ def test_a_slow_motion_stops_gently_and_sooner_than_a_fast_one(talos, stance):
 
 
 def test_a_trajectory_that_ends_sooner_than_any_brake_is_left_alone(talos, stance):
-    assert brake_along(talos, stance, swing(talos, 0.8, 1.2), 1.1999, PERIOD_S) is None
+    assert brake_along(StandingRobot(talos, stance), swing(talos, 0.8, 1.2), 1.1999, PERIOD_S) is None
 
 
 triples = arrays(float, 3, elements=st.floats(-2.0, 2.0))
@@ -108,23 +109,23 @@ def test_what_rests_stays(talos, stance):
 
 def reaching_down(talos, stance, rng):
     """A motion of pelvis, trunk and an arm, with the feet where they stand."""
-    space = FreeCoordinates(talos, stance)
+    space = FreeCoordinates(StandingRobot(talos, stance))
     start = space.from_q(talos.q_home)
     goal = start.copy()
     goal[:6] += rng.uniform([-0.05, -0.04, -0.15, -0.1, -0.1, -0.1], [0.05, 0.04, -0.03, 0.1, 0.2, 0.1])
     for joint in ("torso_1_joint", "torso_2_joint", "arm_right_2_joint", "arm_right_4_joint"):
         goal[space.index(joint)] += rng.uniform(-0.3, 0.0)
     curve = PolynomialCurve(np.array([start, goal]))
-    return space, TrajectorySampler(time_in_balance(talos, space, stance, curve, Pace(0.5, 0.7)))
+    return space, TrajectorySampler(time_in_balance(StandingRobot(talos, stance), curve, Pace(0.5, 0.7)))
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_a_stop_of_every_joint_leaves_the_feet_where_they_stand(talos, stance, seed):
     rng = np.random.default_rng(seed)
-    space, sampler = reaching_down(talos, stance, rng)
+    _space, sampler = reaching_down(talos, stance, rng)
     now = sampler.at(float(rng.uniform(0.3, 0.6)) * sampler.duration_s)
 
-    rows = brake_standing(talos, stance, space, now, PERIOD_S)
+    rows = brake_standing(StandingRobot(talos, stance), now, PERIOD_S)
 
     assert rows is not None
     for frame, world_T_sole in stance.soles:
@@ -141,11 +142,11 @@ def test_a_stop_of_every_joint_leaves_the_feet_where_they_stand(talos, stance, s
 
 
 def test_a_robot_whose_feet_have_left_the_stance_is_not_braked_as_if_they_had_not(talos, stance):
-    space, sampler = reaching_down(talos, stance, np.random.default_rng(0))
+    _space, sampler = reaching_down(talos, stance, np.random.default_rng(0))
     now = sampler.at(0.5 * sampler.duration_s)
     now.q[7 + talos.joint_index("leg_left_4_joint")] += 0.01
 
-    assert brake_standing(talos, stance, space, now, PERIOD_S) is None
+    assert brake_standing(StandingRobot(talos, stance), now, PERIOD_S) is None
 
 
 @pytest.mark.parametrize("share", [0.05, 0.3, 0.5, 0.7, 0.95])
@@ -159,6 +160,9 @@ def test_a_stop_is_found_without_computing_many_brakes(talos, stance, monkeypatc
     for amount in (0.1, 0.8):
         rows.clear()
 
-        assert brake_along(talos, stance, swing(talos, amount, 1.2), share * 1.2, PERIOD_S) is not None
+        assert (
+            brake_along(StandingRobot(talos, stance), swing(talos, amount, 1.2), share * 1.2, PERIOD_S)
+            is not None
+        )
         assert sum(rows) <= 33 + 4 * 16 + 2 * 200
         assert len(rows) <= 5

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import TrajectorySampler
 from kinematics.stopping.braking import brake_along
 from kinematics.stopping.prompt_brake import brake_promptly
@@ -22,9 +23,9 @@ def sampler(talos, stance):
 @pytest.mark.requirement("S4")
 @pytest.mark.parametrize("t_s", BEFORE_A_TURN_S)
 def test_a_turn_ahead_does_not_make_the_brake_late(talos, stance, sampler, t_s):
-    even = brake_along(talos, stance, sampler, t_s, PERIOD_S)
+    even = brake_along(StandingRobot(talos, stance), sampler, t_s, PERIOD_S)
 
-    rows = brake_promptly(talos, stance, sampler, t_s, PERIOD_S, LATEST_S)
+    rows = brake_promptly(StandingRobot(talos, stance), sampler, t_s, PERIOD_S, LATEST_S)
 
     assert even is None or len(even.rows.q) * PERIOD_S > LATEST_S
     assert len(rows.q) * PERIOD_S <= LATEST_S
@@ -36,7 +37,7 @@ def test_a_turn_ahead_does_not_make_the_brake_late(talos, stance, sampler, t_s):
 def test_the_setpoints_keep_the_limits_as_accelerations_and_as_differences_show_them(
     talos, stance, sampler, t_s
 ):
-    rows = brake_promptly(talos, stance, sampler, t_s, PERIOD_S, LATEST_S)
+    rows = brake_promptly(StandingRobot(talos, stance), sampler, t_s, PERIOD_S, LATEST_S)
 
     a = np.vstack([sampler.at(t_s).a, rows.a])[:, 6:]
     told = np.vstack([sampler.at(t_s - PERIOD_S).v, sampler.at(t_s).v, rows.v])[:, 6:]
@@ -47,7 +48,7 @@ def test_the_setpoints_keep_the_limits_as_accelerations_and_as_differences_show_
 
 @pytest.mark.parametrize("t_s", BEFORE_A_TURN_S)
 def test_the_path_is_not_left_and_its_rates_fit_the_places(talos, stance, sampler, t_s):
-    rows = brake_promptly(talos, stance, sampler, t_s, PERIOD_S, LATEST_S)
+    rows = brake_promptly(StandingRobot(talos, stance), sampler, t_s, PERIOD_S, LATEST_S)
 
     way = sampler.many(np.arange(t_s, t_s + LATEST_S, 1e-4)).q
     assert max(np.abs(way - q).max(axis=1).min() for q in rows.q) < 2e-4
@@ -59,17 +60,16 @@ def test_the_path_is_not_left_and_its_rates_fit_the_places(talos, stance, sample
 def test_a_path_that_ends_sooner_than_any_brake_has_none(talos, stance, sampler):
     t_s = sampler.duration_s - 0.01
 
-    assert brake_promptly(talos, stance, sampler, t_s, PERIOD_S, LATEST_S) is None
+    assert brake_promptly(StandingRobot(talos, stance), sampler, t_s, PERIOD_S, LATEST_S) is None
 
 
 def test_a_brake_that_would_be_too_late_is_none(talos, stance, sampler):
-    assert brake_promptly(talos, stance, sampler, BEFORE_A_TURN_S[0], PERIOD_S, 0.2) is None
+    assert brake_promptly(StandingRobot(talos, stance), sampler, BEFORE_A_TURN_S[0], PERIOD_S, 0.2) is None
 
 
 def test_a_robot_that_a_hard_brake_would_tip_is_braked_more_gently(talos, stance, monkeypatch):
     of = (
-        talos,
-        stance,
+        StandingRobot(talos, stance),
         TrajectorySampler(swing(talos, stance, Pace(0.4, 0.5))),
         BEFORE_A_TURN_S[0],
         PERIOD_S,

@@ -10,6 +10,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 import kinematics.timing.curve_timing as timing
 from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import BlendedPolyline, PolynomialCurve, RoundedPolyline
 from kinematics.motion.verdict import FindingKind
 from kinematics.scene.planning_scene import PlanningScene
@@ -74,7 +75,7 @@ def stop_and_go_s(points, limits):
 
 def random_curve(talos, stance, seed, corners=(1, 4)):
     rng = np.random.default_rng(seed)
-    space = FreeCoordinates(talos, stance)
+    space = FreeCoordinates(StandingRobot(talos, stance))
     start = space.from_q(talos.q_home)
     points = [start]
     for _ in range(int(rng.integers(*corners))):
@@ -210,9 +211,9 @@ def test_joints_that_follow_in_another_way_are_slowed_down_until_their_limits_ho
 
 @pytest.mark.parametrize("seed", range(8))
 def test_the_checker_has_nothing_against_how_a_curve_is_timed(talos, stance, seed):
-    space, curve = random_curve(talos, stance, seed)
+    _space, curve = random_curve(talos, stance, seed)
 
-    trajectory = time_curve(talos, space, stance, curve, Pace(jerk=1.0))
+    trajectory = time_curve(StandingRobot(talos, stance), curve, Pace(jerk=1.0))
 
     answer = TrajectoryChecker(talos).check(trajectory, PlanningScene())
     found = {finding.kind for finding in getattr(answer, "findings", ())}
@@ -222,9 +223,9 @@ def test_the_checker_has_nothing_against_how_a_curve_is_timed(talos, stance, see
 
 @pytest.mark.parametrize("seed", range(8))
 def test_every_joint_stays_inside_its_limits(talos, stance, seed):
-    space, curve = random_curve(talos, stance, seed)
+    _space, curve = random_curve(talos, stance, seed)
 
-    trajectory = time_curve(talos, space, stance, curve, Pace(jerk=1.0))
+    trajectory = time_curve(StandingRobot(talos, stance), curve, Pace(jerk=1.0))
 
     dt = np.diff(trajectory.t_s)[:, None]
     v = trajectory.v[:, 6:]
@@ -237,9 +238,9 @@ def test_every_joint_stays_inside_its_limits(talos, stance, seed):
 
 
 def test_the_feet_stay_where_they_are(talos, stance):
-    space, curve = random_curve(talos, stance, 4)
+    _space, curve = random_curve(talos, stance, 4)
 
-    trajectory = time_curve(talos, space, stance, curve, Pace())
+    trajectory = time_curve(StandingRobot(talos, stance), curve, Pace())
 
     assert np.ptp(trajectory.q[:, 2]) > 1e-3
     for q in trajectory.q[::10]:
@@ -250,7 +251,7 @@ def test_the_feet_stay_where_they_are(talos, stance):
 def test_it_begins_and_ends_where_the_curve_does(talos, stance):
     space, curve = random_curve(talos, stance, 5)
 
-    trajectory = time_curve(talos, space, stance, curve, Pace())
+    trajectory = time_curve(StandingRobot(talos, stance), curve, Pace())
 
     ends = space.to_q(curve(np.array([0.0, 1.0])))[0]
     assert np.array_equal(trajectory.q[[0, -1]], ends)
@@ -259,8 +260,8 @@ def test_it_begins_and_ends_where_the_curve_does(talos, stance):
 def test_velocities_are_the_derivative_of_the_configurations(talos, stance):
     import pinocchio as pin
 
-    space, curve = random_curve(talos, stance, 1)
-    trajectory = time_curve(talos, space, stance, curve, Pace())
+    _space, curve = random_curve(talos, stance, 1)
+    trajectory = time_curve(StandingRobot(talos, stance), curve, Pace())
 
     for k in range(10, len(trajectory.t_s) - 10, 7):
         dt = trajectory.t_s[k + 1] - trajectory.t_s[k - 1]
@@ -269,24 +270,24 @@ def test_velocities_are_the_derivative_of_the_configurations(talos, stance):
 
 
 def test_a_slower_pace_takes_longer_and_keeps_the_geometry(talos, stance):
-    space, curve = random_curve(talos, stance, 2)
+    _space, curve = random_curve(talos, stance, 2)
 
-    fast = time_curve(talos, space, stance, curve, Pace())
-    slow = time_curve(talos, space, stance, curve, Pace(velocity=0.2, acceleration=0.2))
+    fast = time_curve(StandingRobot(talos, stance), curve, Pace())
+    slow = time_curve(StandingRobot(talos, stance), curve, Pace(velocity=0.2, acceleration=0.2))
 
     assert slow.duration_s > 1.5 * fast.duration_s
     assert slow.q[-1] == pytest.approx(fast.q[-1])
 
 
 def test_legs_that_cannot_follow_give_no_trajectory(talos, stance):
-    space = FreeCoordinates(talos, stance)
+    space = FreeCoordinates(StandingRobot(talos, stance))
     start = space.from_q(talos.q_home)
     goal = start.copy()
     goal[2] += 0.3
 
     curve = RoundedPolyline(np.array([start, goal]), space.weights, 0.12)
 
-    assert time_curve(talos, space, stance, curve, Pace()) is None
+    assert time_curve(StandingRobot(talos, stance), curve, Pace()) is None
 
 
 def test_timing_opens_no_socket(talos, stance, monkeypatch):
@@ -294,6 +295,6 @@ def test_timing_opens_no_socket(talos, stance, monkeypatch):
         raise AssertionError("a socket was opened")
 
     monkeypatch.setattr(socket, "socket", refuse)
-    space, curve = random_curve(talos, stance, 3)
+    _space, curve = random_curve(talos, stance, 3)
 
-    assert time_curve(talos, space, stance, curve, Pace()).duration_s > 0.0
+    assert time_curve(StandingRobot(talos, stance), curve, Pace()).duration_s > 0.0

@@ -6,13 +6,15 @@ import numpy as np
 import pytest
 
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.interface.robot import RobotState
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -21,7 +23,7 @@ class PerfectRobot:
     """Is always where it was told to be; fingers stop at what stands between them."""
 
     def __init__(self, description, joints):
-        self.description = description
+        self.description, self.hardware = description, HARDWARE
         self.commands = []
         self.obstacle_rad = {}
         self.stuck_rad = {}
@@ -30,8 +32,8 @@ class PerfectRobot:
         self._effort = np.zeros_like(self._q)
         self._stamp_ns = 0
         self._followed = None
-        self._damping = np.array([description.gains[name].damping for name in description.actuated])
-        self._stiffness = np.array([description.gains[name].stiffness for name in description.actuated])
+        self._damping = np.array([HARDWARE.gains[name].damping for name in description.actuated])
+        self._stiffness = np.array([HARDWARE.gains[name].stiffness for name in description.actuated])
 
     def read(self):
         feet = np.zeros((2, 6))
@@ -50,12 +52,12 @@ class PerfectRobot:
             i = self.description.actuated.index(joint)
             if q[i] < limit:
                 effort[i] += self._stiffness[i] * (q[i] - limit)
-                effort[i] += self.description.gains[joint].damping * v[i]
+                effort[i] += HARDWARE.gains[joint].damping * v[i]
                 q[i], v[i] = limit, 0.0
         for joint, place in self.stuck_rad.items():
             i = self.description.actuated.index(joint)
             limit = self.description.limits[joint].effort
-            damping = self.description.gains[joint].damping * v[i]
+            damping = HARDWARE.gains[joint].damping * v[i]
             effort[i] = np.clip(effort[i] + self._stiffness[i] * (q[i] - place) + damping, -limit, limit)
             q[i], v[i] = place, 0.0
         arrived = setpoint is self._followed  # it holds what it was told before

@@ -8,8 +8,12 @@ from kinematics.geometry.shapes import Cylinder
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 
 class Hold:
@@ -20,7 +24,9 @@ class Hold:
             "cup", "cup", "red", Cylinder(radius_m, 0.11), 0.3, 0.6, poses.translation(3.0, 0.0, 0.055)
         )
         self.world = build_world(
-            model.description, SceneDescription("hand", objects=(cup,)), np.random.default_rng(1)
+            RobotData(model.description, HARDWARE),
+            SceneDescription("hand", objects=(cup,)),
+            np.random.default_rng(1),
         )
         self.loop = ControlLoop(self.world.robot, model, ManualClock(), lambda event: None)
         self.hand, self.gripper = hand, self.loop.grippers[hand]
@@ -48,7 +54,7 @@ def test_a_cup_is_held_with_the_described_effort_until_it_is_taken(talos, radius
 
     reading, before = hold.gripper.reading(), hold.place_in_hand()
     assert reading.holding
-    assert reading.effort_nm == pytest.approx(talos.description.grippers[hand].effort_nm, abs=0.1)
+    assert reading.effort_nm == pytest.approx(HARDWARE.grips[hand].effort_nm, abs=0.1)
     assert reading.opening_m == pytest.approx(2.0 * radius_m, abs=0.004)
     hold.run(2.0)
     assert np.linalg.norm(hold.place_in_hand() - before) < 0.0005

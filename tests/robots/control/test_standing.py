@@ -12,8 +12,12 @@ from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 
 @pytest.fixture
@@ -21,7 +25,11 @@ def standing(talos):
     """A robot on an empty floor."""
 
     def make(seed=0):
-        world = build_world(talos.description, SceneDescription("floor"), np.random.default_rng(seed))
+        world = build_world(
+            RobotData(talos.description, HARDWARE),
+            SceneDescription("floor"),
+            np.random.default_rng(seed),
+        )
         clock, events = ManualClock(), []
         loop = ControlLoop(world.robot, talos, clock, events.append)
         return SimpleNamespace(world=world, truth=world.truth, loop=loop, events=events, model=talos)

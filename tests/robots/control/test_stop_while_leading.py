@@ -3,12 +3,16 @@
 import numpy as np
 import pytest
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 REST_WITHIN_S = 0.5
 LED_M = 0.08
@@ -20,7 +24,18 @@ def led(rig):
     q = rig.loop.motion.reference()
     place = rig.model.frame_pose(q, "tcp_left")[:3, 3]
     line, stance = DrawerLine(place, 0.0), stance_at(rig.model, q)
-    motion = YieldingHand(rig.model, stance, "left", q, PlanningScene(), (), line, 0.0, 0.25, holding=False)
+    motion = YieldingHand(
+        StandingRobot(rig.model, stance),
+        "left",
+        q,
+        PlanningScene(),
+        (),
+        line,
+        0.0,
+        0.25,
+        grip=HARDWARE.grips["left"],
+        holding=False,
+    )
     handle = rig.loop.motion.start(motion)
     rig.run_until(lambda: motion.report.s >= LED_M, within_s=6.0)
     assert handle.status is MotionStatus.RUNNING, handle.reason
@@ -58,7 +73,16 @@ def led_again(rig):
     place = rig.model.frame_pose(q, "tcp_left")[:3, 3]
     stance = rig.loop.motion.stance()
     motion = YieldingHand(
-        rig.model, stance, "left", q, PlanningScene(), (), DrawerLine(place, 0.0), 0.0, 0.05, holding=False
+        StandingRobot(rig.model, stance),
+        "left",
+        q,
+        PlanningScene(),
+        (),
+        DrawerLine(place, 0.0),
+        0.0,
+        0.05,
+        grip=HARDWARE.grips["left"],
+        holding=False,
     )
     handle = rig.loop.motion.start(motion)
     rig.run(0.1)

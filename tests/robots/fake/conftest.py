@@ -5,7 +5,9 @@ import pytest
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory
 from robots.fake.fake_world import FakeWorld, cup, table
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 
 def believed(request):
@@ -22,7 +24,7 @@ def model():
 
 
 def in_front_of_a_table(model):
-    world = FakeWorld(model, believed, [table(), cup()])
+    world = FakeWorld(model, HARDWARE, believed, [table(), cup()])
     world.step()
     return world
 

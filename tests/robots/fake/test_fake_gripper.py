@@ -13,8 +13,8 @@ def at_the_cup(fake, play):
     scene = PlanningScene().with_object(SceneObject("red cup", item.shape, item.world_T_object))
     plan = fake.planning.answer(PickRequest(fake.motion.reference(), fake.motion.stance(), scene, "red cup"))
     for step in (plan.reach, plan.approach):
-        play(fake.motion.start(fake.planning.answer(step.question)))
-    fake.lift = fake.planning.answer(CheckRequest(plan.lift.trajectory, plan.lift.scene))
+        play(fake.motion.start(fake.planning.verdict(step.question)))
+    fake.lift = fake.planning.verdict(CheckRequest(plan.lift.trajectory, plan.lift.scene))
     return fake
 
 

@@ -17,7 +17,7 @@ def nod(fake):
         keep_others=True,
     )
     step = fake.planning.answer(move).step
-    return fake.planning.answer(step.question)
+    return fake.planning.verdict(step.question)
 
 
 def test_a_trajectory_is_followed_to_its_end(fake, nod, play):

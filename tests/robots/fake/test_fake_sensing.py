@@ -15,7 +15,7 @@ def two_that_move(fake, fake_again):
     for one in (fake, fake_again):
         move = MoveRequest(one.motion.reference(), one.motion.stance(), PlanningScene(), joints)
         step = one.planning.answer(move).step
-        one.motion.start(one.planning.answer(step.question))
+        one.motion.start(one.planning.verdict(step.question))
     return fake, fake_again
 
 

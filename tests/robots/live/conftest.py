@@ -8,20 +8,23 @@ import numpy as np
 import pytest
 
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
+from robots.fake.fake_sensing import FakeRangeSensor
+from robots.interface.hardware import RobotData
 from robots.live.process.control_server import ControlServer
 from robots.live.wire.connection import Connection
 from robots.live.wire.framing import FrameKind
 from robots.live.wire.messages import Admit, Hello, read_object, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.unix_socket import connect_to
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -130,7 +133,7 @@ class LiveRig:
     def __init__(self, model, folder):
         self.folder, self.model = folder, model
         self.clock, self.checker = ManualClock(), Checker()
-        self.robot = Weightless(model.description, self.clock)
+        self.robot = Weightless(RobotData(model.description, HARDWARE), self.clock)
         self.ranging = FakeRangeSensor()
         self.ranging.silent = True
         self.server, self.clients, self.offered_at_s = None, [], []

@@ -1,6 +1,7 @@
 """A robot is a folder of data: what is read, and what is refused."""
 
 import dataclasses
+import importlib.resources
 import math
 import xml.etree.ElementTree as ElementTree
 
@@ -13,7 +14,7 @@ from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.models import description as reader
-from robots.models.description import known_robots, load_description, load_description_for_tasks
+from robots.models.description import known_robots, load_description, load_robot, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
 
 ARM = """
@@ -107,11 +108,11 @@ def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
 
 def test_a_robot_that_lacks_parts_is_not_given_tasks_and_they_are_named():
     with pytest.raises(DescriptionError, match=r"panda.* no feet, .*no left gripper"):
-        load_description_for_tasks("panda")
+        load_robot_for_tasks("panda")
 
 
 def test_a_whole_humanoid_is_given_tasks():
-    assert load_description_for_tasks("talos").missing_for_tasks == ()
+    assert load_robot_for_tasks("talos").description.missing_for_tasks == ()
 
 
 @pytest.mark.parametrize(
@@ -134,4 +135,52 @@ def test_data_that_contradict_themselves_are_refused(changes, says):
 
 def test_hands_that_cannot_grasp_are_told_with_their_reason():
     with pytest.raises(DescriptionError, match=r"g1.* no left gripper, no right gripper \(its hands are of"):
-        load_description_for_tasks("g1")
+        load_robot_for_tasks("g1")
+
+
+@pytest.fixture
+def changed(tmp_path, monkeypatch):
+    """Loads TALOS with one line of its description written otherwise."""
+    text = (importlib.resources.files("robots.models") / "talos" / "description.toml").read_text("utf-8")
+    monkeypatch.setattr(reader, "_folders", lambda: {"mine": tmp_path})
+
+    def load(line, instead):
+        assert line in text
+        (tmp_path / "description.toml").write_text(text.replace(line, instead, 1), "utf-8")
+        return load_robot("mine")
+
+    return load
+
+
+@pytest.mark.parametrize(
+    ("line", "instead", "says"),
+    [
+        ("lean_joint =", "leen_joint =", "camera.leen_joint: unknown key; the nearest is 'lean_joint'"),
+        ("imu_link =", "imu_lnk =", "body.imu_lnk: unknown key; the nearest is 'imu_link'"),
+        (
+            "foot_torque_nm = 0.1",
+            'foot_torque_nm = "low"',
+            "noise.foot_torque_nm: must be a number, not 'low'",
+        ),
+        ("payload_kg = 6.0", "", "gripper.payload_kg: is missing"),
+        ("battery_low = 0.15", "battery = 0.15", "health.battery: unknown key; the nearest is 'battery_low'"),
+        ("dcm_gain = 2.0", "dcm_gain = nan", "walking.dcm_gain: must be finite, not nan"),
+        ("stride_reach_m =", "stride_rech_m =", "the nearest is 'stride_reach_m'"),
+        ("x_m = [-0.11, 0.10]", "x_m = [-0.11]", "sole[0].x_m: must be a list of 2 numbers, not [-0.11]"),
+        ('side = "left"', 'side = "lefft"', "sole[0].side: unknown side 'lefft'; the nearest is 'left'"),
+        ("stiffness = 5000.0", "stifness = 5000.0", "gains.leg.stifness: unknown key"),
+        ('leg = "leg_.*"', 'leg = "leg_(.*"', "gains.members.leg: 'leg_(.*' is no regular expression"),
+        ("com_margin_m = 0.02", "", "limits.com_margin_m: is missing, for a robot with soles"),
+        ("leg = 120.0", "", "[limits.jerk] says nothing of the kind 'leg'"),
+        ("[friction]", "[friction", "is no TOML"),
+    ],
+)
+def test_a_description_that_cannot_be_read_is_refused_with_robot_file_key_and_reason(
+    changed, line, instead, says
+):
+    with pytest.raises(DescriptionError) as refused:
+        changed(line, instead)
+
+    assert str(refused.value).startswith("robot 'mine': ")
+    assert says in str(refused.value)
+    assert "description.toml" in str(refused.value) or says.startswith("[")

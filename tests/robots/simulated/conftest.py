@@ -13,10 +13,14 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -36,11 +40,11 @@ class Stand:
 
     def __init__(self, model: RobotModel, scene: SceneDescription, seed: int = 0) -> None:
         self.model, self.description = model, model.description
-        self.world = build_world(self.description, scene, np.random.default_rng(seed))
+        self.world = build_world(RobotData(self.description, HARDWARE), scene, np.random.default_rng(seed))
         self.robot, self.truth = self.world.robot, self.world.truth
         self.q = model.q_home.copy()
         soles = [(sole.frame, model.frame_pose(self.q, sole.frame)) for sole in self.description.soles]
-        self.dynamics = StandingDynamics(model, Stance(tuple(soles)))
+        self.dynamics = StandingDynamics(StandingRobot(model, Stance(tuple(soles))))
         self.gripper = np.zeros(len(self.description.gripper_joints))
         self.sequence = 0
         self.hold_posture(self.q[7:])
@@ -123,7 +127,7 @@ class Hold:
         """Squeeze with a constant effort by a setpoint that stays as far inside the cup as it needs."""
         index = self.gripper_index()
         joint = len(self.stand.description.joints) + index
-        kp = self.stand.description.gains[self.stand.description.gripper_joints[index]].stiffness
+        kp = self.stand.robot.hardware.gains[self.stand.description.gripper_joints[index]].stiffness
         self.stand.gripper[index] = self.truth.joint_positions()[joint] - effort_nm / kp
 
     def close(self, effort_nm: float, seconds: float = 0.8, lying_above_m: float | None = None) -> None:
@@ -169,7 +173,7 @@ def cup_in_hand(robot_model):
         stand.move_to(_arm_posture(robot_model, hand, poses.translation(0.35, side * 0.30, 1.05)), 1.5)
         stand.run(0.2)
         hold = Hold(stand, hand)
-        effort_nm = robot_model.description.grippers[hand].effort_nm if effort_nm is None else effort_nm
+        effort_nm = HARDWARE.grips[hand].effort_nm if effort_nm is None else effort_nm
         hold.close(effort_nm, lying_above_m=lying_above_m)
         return hold
 

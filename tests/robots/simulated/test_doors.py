@@ -7,10 +7,14 @@ import mujoco
 import numpy as np
 import pytest
 
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_file import load_scene
 from robots.simulated.body.furniture_model import part_body, part_joint
 from robots.simulated.body.geom_roles import CONAFFINITY, CONTYPE, Role
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -19,7 +23,11 @@ def world_of(description, name, **changes):
     scene = load_scene(name)
     (piece,) = scene.furniture
     piece = replace(piece, opens=replace(piece.opens, **changes))
-    return build_world(description, replace(scene, furniture=(piece,)), np.random.default_rng(0))
+    return build_world(
+        RobotData(description, HARDWARE),
+        replace(scene, furniture=(piece,)),
+        np.random.default_rng(0),
+    )
 
 
 def pulled(world, force_n, seconds):

@@ -3,6 +3,10 @@
 import numpy as np
 import pytest
 
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
+
 GRAVITY_M_S2 = 9.81
 
 
@@ -117,4 +121,4 @@ def test_the_gripper_reports_what_it_holds(cup_in_hand, description):
     angles, openings = zip(*description.grippers["left"].opening_table, strict=True)
 
     assert np.interp(state.q[index], angles, openings) == pytest.approx(0.06, abs=0.002)
-    assert -state.effort[index] == pytest.approx(description.grippers["left"].effort_nm, abs=0.3)
+    assert -state.effort[index] == pytest.approx(HARDWARE.grips["left"].effort_nm, abs=0.3)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.free_coordinates import free_coordinates
 from robots.scenes.scene_description import SceneDescription
 
@@ -10,7 +11,7 @@ from robots.scenes.scene_description import SceneDescription
 def test_over_one_foot_the_robot_does_not_sway(stand, robot_model):
     # CoM 8 cm aside, above the left foot: the right one carries a quarter, and cannot bear half the moment.
     body = stand(SceneDescription("bare"))
-    space = free_coordinates(robot_model, stance_at(robot_model, robot_model.q_home))
+    space = free_coordinates(StandingRobot(robot_model, stance_at(robot_model, robot_model.q_home)))
     aside = space.home.copy()
 
     def lean(share):

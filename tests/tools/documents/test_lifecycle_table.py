@@ -6,7 +6,7 @@ import pytest
 
 from tools.documents.lifecycle_table import main, markdown, rendered
 
-SAFETY = Path(__file__).parents[3] / "docs" / "safety.md"
+SAFETY = Path(__file__).parents[3] / "docs" / "understand" / "safety.md"
 
 
 @pytest.mark.requirement("S5")

@@ -3,11 +3,11 @@
 import pytest
 from py_trees.common import Status
 
+from tests.trees.example_tasks import TASKS, root_of
 from trees.btcpp.document import MOST_NODES, NESTED_MOST
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.reader import read_tree
 from trees.btcpp.writer import write_tree
-from trees.build import SKILLS
 
 
 def document(**trees):
@@ -91,8 +91,8 @@ def test_trees_that_nothing_refers_to_count_for_nothing(stage):
     assert read_tree(document(t0="<GoHome/>", **spare, s30="<GoHome/>"), stage.toolbox).name == "GoHome"
 
 
-@pytest.mark.parametrize("skill", SKILLS, ids=lambda task: task.action)
-def test_every_skill_is_far_within_the_budget(skill, stage):
-    tree = SKILLS[skill](stage.toolbox)
+@pytest.mark.parametrize("task", TASKS.values(), ids=lambda task: task.action)
+def test_every_skill_is_far_within_the_budget(task, stage):
+    tree = root_of(task, stage.toolbox)
 
     assert len(list(tree.iterate())) < MOST_NODES / 4

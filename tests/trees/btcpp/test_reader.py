@@ -105,9 +105,11 @@ def test_what_is_no_tree_is_refused_with_the_place_and_the_reason(stage, text, w
         "trees.failures:Failure",
         "trees.nodes.alternatives:Alternatives",
         "trees.nodes.judgements:always_worth_trying",
-        "trees.nothing:defect",
+        "os:defect",
         "trees.nodes.alternatives:failure_of",
-        "defect",
+        "Failure",
+        "",
+        "trees.nodes.judgements",
         "trees.nodes.judgements:defect.__globals__",
     ],
 )
@@ -125,7 +127,7 @@ def test_a_module_that_brings_no_trees_is_not_even_imported(stage, tmp_path, mon
     monkeypatch.syspath_prepend(str(tmp_path))
     body = '<Alternatives hopeless="stranger:judge"><GoHome/></Alternatives>'
 
-    with pytest.raises(TreeDocumentError, match="is no judgement of trees"):
+    with pytest.raises(TreeDocumentError, match="there is no judgement 'stranger:judge'"):
         read_tree(tree(body), stage.toolbox)
 
     assert "stranger" not in sys.modules

@@ -1,14 +1,15 @@
 """Trees are written as documents and read back: the same nodes, the same wiring, the same behavior."""
 
+import functools
 from xml.etree import ElementTree
 
 import pytest
 from py_trees.blackboard import Blackboard
 
 from executive.session.events import plain
+from tests.trees.example_tasks import TASKS, root_of
 from trees.btcpp.reader import read_tree
 from trees.btcpp.writer import write_tree
-from trees.build import SKILLS
 from trees.nodes.leaf import Leaf
 from trees.nodes.snapshot_of import snapshot_of
 from trees.task_tree import TaskTree
@@ -17,9 +18,9 @@ from trees.tasks import ObjectDescription, PickTask, PlaceTask, WaveTask
 RED_CUP = ObjectDescription("cup", "red")
 
 
-@pytest.fixture(params=SKILLS, ids=lambda task: task.action)
+@pytest.fixture(params=TASKS.values(), ids=lambda task: task.action)
 def skill(request):
-    return SKILLS[request.param]
+    return functools.partial(root_of, request.param)
 
 
 def described(node):
@@ -75,7 +76,7 @@ def test_a_tree_that_was_read_back_does_the_same_to_the_last_event(new_stage, ta
     def run(prepare):
         stage = new_stage()
         upset(stage)
-        root = prepare(SKILLS[type(task)](stage.toolbox), stage.toolbox)
+        root = prepare(root_of(task, stage.toolbox), stage.toolbox)
         tree = stage.play(TaskTree(task, root, stage.toolbox))
         Blackboard.clear()
         return tree.status, tree.evidence, tree.failure, [plain(event) for event in stage.events]
@@ -107,7 +108,7 @@ def test_the_document_has_a_model_of_every_node_that_is_not_builtin(skill, stage
 
 
 def test_ports_have_direction_type_and_description(stage):
-    document = ElementTree.fromstring(write_tree(SKILLS[PickTask](stage.toolbox)))
+    document = ElementTree.fromstring(write_tree(root_of(TASKS[PickTask], stage.toolbox)))
     model = document.find("TreeNodesModel/Action[@ID='CheckTrajectory']")
 
     assert model.find("input_port[@name='step']").get("type") == "Step"

@@ -4,6 +4,7 @@ from kinematics.requests.view import ViewRequest
 from robots.fake.fake_world import cup, table
 from tests.trees.household_stage import BOX_BEFORE_IT, RED_CUP, asked, run, said
 from trees.events import LeafFailed, NotSo
+from trees.skills.telling.settings import TellingSettings
 from trees.tasks import FindTask
 
 
@@ -38,7 +39,7 @@ def test_what_is_hidden_from_everywhere_is_not_found(stage_with):
 
     assert tree.status == "failure"
     assert said(stage) == []
-    assert 1 <= len(asked(stage, ViewRequest)) <= stage.toolbox.policy.looks_past
+    assert 1 <= len(asked(stage, ViewRequest)) <= stage.toolbox.policy.of(TellingSettings).looks_past
 
 
 def test_something_that_is_nowhere_is_not_found(stage):

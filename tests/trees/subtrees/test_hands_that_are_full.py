@@ -4,14 +4,14 @@ import pytest
 
 from kinematics.requests.move import RetreatRequest
 from kinematics.requests.place import PlaceRequest
-from kinematics.requests.step import NoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind
 from trees.skills.looking import hand_ways
 from trees.skills.pick.lift_wholly import LiftWholly
 from trees.tasks import ObjectDescription, PickTask, PlaceTask, Relation
-from trees.world_model import Origin
+from trees.world_model import FormerPlace
 
 RED_CUP, BLUE_CUP = ObjectDescription("cup", "red"), ObjectDescription("cup", "blue")
 AT_ONCE_S = 0.3
@@ -135,7 +135,9 @@ def right_hand_fails(stage, monkeypatch):
         frame = request.scene.attached[request.held].frame
         left_part = request.spots[0].world_T_object[1, 3] > 0.0
         if frame == stage.toolbox.model.description.tcp_frames["right"] and left_part:
-            return NoPlan("no way", {"no inverse kinematics": 9}, {"spots": 9.0, "considered": 99.0})
+            return NoPlan(
+                "no way", {"no inverse kinematics": 9}, {"spots": 9.0}, WhyNoPlan.NO_SPOT_IS_REACHED
+            )
         return answer(request)
 
     monkeypatch.setattr(stage.fake.planning, "answer", planned)
@@ -167,7 +169,7 @@ def lifted_by(stage, rise_m, aside_m=0.0):
     body = toolbox.world.scene.attached["red cup"]
     place = toolbox.model.frame_pose(stage.fake.sensing.state().q, body.frame) @ body.frame_T_object
     place[:3, 3] -= (aside_m, 0.0, rise_m)
-    toolbox.world.taken_from = {"red cup": Origin("table", place)}
+    toolbox.world.taken_from = {"red cup": FormerPlace("table", place)}
 
 
 @pytest.mark.requirement("S9", "F1")
@@ -211,7 +213,7 @@ def test_a_pick_that_was_verified_is_not_lifted_once_more(stage_with, monkeypatc
         """It stood upright when it was first taken, and lay when it was taken again."""
         place = origin.odom_T_object.copy()
         place[2, 3] += 0.05
-        note_taken(name, Origin(origin.support, place))
+        note_taken(name, FormerPlace(origin.support, place))
 
     monkeypatch.setattr(stage.toolbox.world, "note_taken", higher)
 

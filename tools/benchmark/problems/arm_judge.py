@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.coal_shapes import coal_shape
+from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.poses import Transform
 from kinematics.scene.planning_scene import SceneObject
 from tools.benchmark.problems.panda_files import TCP_FRAME, RobotFiles

@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
 from kinematics.requests.pick import PickRequest
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 

@@ -66,13 +66,13 @@ class _Episode:
         self._fault: BodyFault = BODY_FAULTS[order.fault]
         self._run = CourseRun(PICK, order.seed, order.robot, self._take)
         assembly = self._run.assembly
-        description = assembly.model.description
+        description, hardware = assembly.model.description, assembly.world.robot.hardware
         joint = struck_joint(description, rng)
         self._part = joint if self._fault.of_a_joint else ""
         self._index = description.actuated.index(joint)
-        gain, most_nm = description.gains[joint], description.limits[joint].effort
+        gain, most_nm = hardware.gains[joint], description.limits[joint].effort
         self._servo = gain.stiffness / most_nm, gain.damping / most_nm, 1.0 / most_nm
-        contact_nm = description.contact_effort_nm.get(joint, np.inf)
+        contact_nm = hardware.contact_effort_nm.get(joint, np.inf)
         self._shown_rad = min(_SHOWN_RAD, _SHOWN_MARGIN * contact_nm / gain.stiffness)
         when_s = float(rng.uniform(*WHEN_S))
         self._halted_s = when_s if standing == "there" else math.inf

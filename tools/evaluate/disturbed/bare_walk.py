@@ -12,7 +12,7 @@ from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle
-from robots.models.description import load_description
+from robots.models.description import load_robot
 from robots.scenes.scene_description import Furniture, RobotStart, SceneDescription
 from robots.simulated.world import SimulatedWorld, build_world
 
@@ -45,12 +45,13 @@ class BareWalk:
         Raises:
             ValueError: The robot is not known to walk.
         """
-        description = load_description(robot)
+        data = load_robot(robot)
+        description = data.description
         if description.walking is None:
             raise ValueError(f"{robot} is not known to walk")
         self.settings: WalkingSettings = description.walking
         scene = SceneDescription("floor", RobotStart(), furniture=plates)
-        self.world: SimulatedWorld = build_world(description, scene, np.random.default_rng(seed))
+        self.world: SimulatedWorld = build_world(data, scene, np.random.default_rng(seed))
         self.world.body_faults.delay_sensors(delay_periods)
         self.events: list[object] = []
         model = RobotModel(description)

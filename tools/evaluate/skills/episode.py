@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 
 from executive.embedding.requests import Requests
-from executive.runs.frozen_heap import settled_heap
+from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
+from executive.session.events import PlanningAnswered
+from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain
 from tools.evaluate.faults import FaultBench, FaultState
@@ -15,10 +17,34 @@ from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.skills.faults import SKILL_FAULTS
-from tools.evaluate.skills.planning_watch import PlanningWatch
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import SkillJudge, Trial
 from tools.evaluate.skills.watch import SafetyWatch
+
+
+class PlanningWatch:
+    """Put its ``take`` into the session's sink; what is counted is processor time.
+
+    Attributes:
+        requests_ms: Of each request since the last ``begin``.
+    """
+
+    def __init__(self, planning: PlanningJobs) -> None:
+        self._planning = planning
+        self._before_s = planning.cpu_s
+        self.requests_ms: list[float] = []
+
+    def begin(self) -> None:
+        """Count from now on."""
+        self.requests_ms.clear()
+
+    def take(self, event: object) -> None:
+        """Take one event of any kind: a request is answered before its event is sent."""
+        if isinstance(event, PlanningAnswered):
+            now_s = self._planning.cpu_s
+            self.requests_ms.append(1e3 * (now_s - self._before_s))
+            self._before_s = now_s
+
 
 AFTER_S = 0.5
 
@@ -59,7 +85,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
             fault,
         )
     planning = PlanningWatch(assembly.planning)
-    with settled_heap():
+    with frozen_heap():
         results, prepared = _asked(assembly.session, trial, planning)
         assembly.session.hold(AFTER_S)
     verdict = judge.verdict(results)

@@ -65,7 +65,8 @@ class StopJudge:
         self._watching_setpoints = False
         self._q_rest: Array | None = None
         self._uncounted = 0
-        walking = description.walking.joint_acceleration if description.walking is not None else {}
+        gains = assembly.world.robot.hardware.walking
+        walking = gains.joint_acceleration if gains is not None else {}
         steps = [
             walking.get(name, limit.acceleration) for name, limit in zip(self._joints, limits, strict=True)
         ]

@@ -31,11 +31,11 @@ from trees.beliefs.grounding.grounding import (
 )
 from trees.beliefs.grounding.names_of_things import may_name_a
 from trees.beliefs.grounding.people import compares_people, person_meant
-from trees.beliefs.grounding.questions import ONE_WILL_DO, which_is_meant
+from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.tasks import Destination, HandOverTask, ObjectDescription, ObjectOf
 
 # From the top of a person's cylinder down to the middle of the face.
@@ -45,14 +45,14 @@ _ANYBODY = ("me", "in_front", "in front", "person", "somebody")
 
 @dataclass(frozen=True, slots=True)
 class Place(Sealed):
-    """Something that a task is aimed at.
+    """What a task is aimed at: a thing, a piece of furniture, a person or a part of the floor, with its pose.
 
     Attributes:
         name: Its name in the planning scene.
         category: What sort of thing it is; "region" for a part of the floor.
         shape: Its solid.
         odom_T_place: Its pose, shape (4, 4).
-        confidence: Of the sighting, in [0, 1].
+        confidence: How sure the detector was of it, in [0, 1].
     """
 
     name: str
@@ -135,7 +135,8 @@ def resolve(
         if isinstance(wanted, ObjectDescription) and wanted.name and wanted.kind is not None:
             fitting = {name: item for name, item in fitting.items() if _may_be_a(wanted.kind, name, item)}
     if not fitting:
-        return Failure.postcondition(f"no {words_of(wanted)} seen", seen=kinds_in(seen))
+        message = f"no {words_of(wanted)} seen"
+        return Failure.postcondition(message, seen=kinds_in(seen)).because(Reason.NOT_SEEN)
     if len(fitting) > 1:
         choices = tuple(Choice(name, name) for name in sorted(fitting))
         message = f"which {words_of(wanted)}? there are {len(fitting)}"
@@ -184,15 +185,16 @@ def _grounded(
     """
     match meant:
         case Ambiguous() as unclear:
-            return which_is_meant(unclear, slot, **({ONE_WILL_DO: True} if one_will_do else {}))
+            return which_is_meant(unclear, slot, one_will_do=one_will_do)
         case Missing(message):
-            return Failure.postcondition(message, seen=kinds_in(seen))
+            return Failure.postcondition(message, seen=kinds_in(seen)).because(Reason.NOT_SEEN)
         case Found(names):
             if names[0] in seen:
                 return place_from(names[0], seen[names[0]])
             if names[0] in recalled:
                 return recalled[names[0]]
-            return Failure.postcondition(f"{_the(names[0])} was seen before, but is not in view now")
+            message = f"{_the(names[0])} was seen before, but is not in view now"
+            return Failure.postcondition(message).because(Reason.OUT_OF_VIEW)
 
 
 def _the(name: str) -> str:

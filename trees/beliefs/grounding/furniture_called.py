@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
+from trees.beliefs.scene.scene_update import kind_of
 
 _EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living room table"})
 """What people call a table that nothing else is called by."""
@@ -45,3 +47,24 @@ def may_be_called(said: str, words: str) -> bool:
     wanted = said.lower()
     everyday = wanted in _EVERYDAY and kind_called(wanted) == words.lower()
     return wanted in (words.lower(), kind_called(words)) or everyday
+
+
+def is_called(furniture: str, said: str) -> bool:
+    """Whether a piece of furniture, by its name in the scene, may be what somebody calls it."""
+    return said.lower() == furniture.lower() or may_be_called(said, kind_of(furniture))
+
+
+def pieces_called(name: str, around: Surroundings) -> list[BelievedThing]:
+    """The piece of that name; without one the first solid of each that is called so: the one that carries."""
+    wanted = name.lower()
+    fixed = [thing for thing in around.things if not thing.movable]
+    named = [thing for thing in fixed if thing.name.lower() == wanted]
+    words = called_so(name, around.furniture_words) or {name}
+    first = {thing.kind: thing for thing in reversed(fixed) if thing.kind in words}
+    return named or [first[kind] for kind in sorted(first)]
+
+
+def standing_on(said: str, around: Surroundings) -> Callable[[str], bool]:
+    """Tells of what a thing stands on, by its name in the scene, whether that is where it is said to be."""
+    meant = called_so(said, around.furniture_words)
+    return lambda furniture: kind_of(furniture) in meant if meant else is_called(furniture, said)

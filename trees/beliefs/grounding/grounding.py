@@ -7,14 +7,14 @@ leads to a question among those that fit otherwise.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.geometry import poses
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.choice_words import from_the_left, told_apart
-from trees.beliefs.grounding.furniture_called import called_so, may_be_called
+from trees.beliefs.grounding.furniture_called import pieces_called, standing_on
 from trees.beliefs.grounding.names_of_things import named
 from trees.beliefs.grounding.ranking import least, ordered, sized, there_are
 from trees.beliefs.grounding.spatial_relation import between_m, lies, lies_from_robot
@@ -24,7 +24,6 @@ from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.beliefs.scene.called import CalledBy, called_by
 from trees.beliefs.scene.furniture_pieces import belong_together
 from trees.beliefs.scene.labels import label_in
-from trees.beliefs.scene.scene_update import kind_of
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
 
 _BEFORE_M = 1.0
@@ -38,7 +37,12 @@ ROBOT = ("robot", "you")
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One of several things that fit, with words that fit no other of them."""
+    """One of several things that fit a description, with words that fit none of the others.
+
+    Attributes:
+        name: Its name in the planning scene.
+        words: What people call it to tell it from the others: "the left cup".
+    """
 
     name: str
     words: str
@@ -46,10 +50,10 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is meant.
+    """As many things fit as the description asks for.
 
     Attributes:
-        names: Of the planning scene, the nearest first when there are several.
+        names: Their names in the planning scene, the nearest first when there are several.
         because: Why it is that, for people, where the word that was said is not what it is called: "the red
             can is the only drink that I see".
     """
@@ -60,7 +64,7 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Ambiguous:
-    """Only a person can say which is meant.
+    """Several things fit, and only a person can say which one is meant.
 
     Attributes:
         message: What is unclear, as a question.
@@ -73,7 +77,7 @@ class Ambiguous:
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """Nothing fits.
+    """Nothing fits of all that the robot believes to be there.
 
     Attributes:
         message: What is missing, for people.
@@ -262,7 +266,7 @@ def _stands_on(thing: BelievedThing, relation: Relation, around: Surroundings) -
     to = relation.to
     if relation.kind not in ("on", "in") or not isinstance(to, str) or thing.support is None:
         return False
-    return _standing_on(to, around)(thing.support)
+    return standing_on(to, around)(thing.support)
 
 
 def _references(to: Destination, around: Surroundings, fitting: list[BelievedThing]) -> list[BelievedThing]:
@@ -282,27 +286,17 @@ def _references(to: Destination, around: Surroundings, fitting: list[BelievedThi
         if len(people) == 1:
             return people
         raise UntellableError("which one? it cannot be seen who speaks", fitting)
-    found = _furniture(to, around)
+    found = pieces_called(to, around)
     if not found:
         raise NoneFitsError(f"no {to} seen", True)
     return found
-
-
-def _furniture(name: str, around: Surroundings) -> list[BelievedThing]:
-    """The piece of that name; without one the first solid of each that is called so: the one that carries."""
-    wanted = name.lower()
-    fixed = [thing for thing in around.things if not thing.movable]
-    named = [thing for thing in fixed if thing.name.lower() == wanted]
-    words = called_so(name, around.furniture_words) or {name}
-    first = {thing.kind: thing for thing in reversed(fixed) if thing.kind in words}
-    return named or [first[kind] for kind in sorted(first)]
 
 
 def _furniture_meant(
     wanted: ObjectDescription, around: Surroundings, leaves: str | None = None
 ) -> list[BelievedThing]:
     """Of boards on top of each other all are pieces; of a table the top is."""
-    found = _furniture(wanted.name or wanted.kind or "", around)
+    found = pieces_called(wanted.name or wanted.kind or "", around)
     if wanted.name is not None or not says_which(wanted):
         return found
     pieces = [
@@ -346,7 +340,7 @@ def _at(
 ) -> list[BelievedThing]:
     """Those that are where they are said to be."""
     if isinstance(source, str):
-        meant = _standing_on(source, around)
+        meant = standing_on(source, around)
         kept = [thing for thing in fitting if thing.support is not None and meant(thing.support)]
         where = f"on the {source}"
     else:
@@ -373,17 +367,6 @@ def _where_it_was_sent(fitting: list[BelievedThing], around: Surroundings) -> li
         if not thing.movable and belong_together(thing.name, thing.place_m, piece.name, piece.place_m)
     }
     return [thing for thing in fitting if thing.support in boards | {piece.name}]
-
-
-def _standing_on(said: str, around: Surroundings) -> Callable[[str], bool]:
-    """Tells of what a thing stands on, by its name in the scene, whether that is where it is said to be."""
-    meant = called_so(said, around.furniture_words)
-    return lambda furniture: kind_of(furniture) in meant if meant else is_called(furniture, said)
-
-
-def is_called(furniture: str, said: str) -> bool:
-    """Whether a piece of furniture, by its name in the scene, may be what somebody calls it."""
-    return said.lower() == furniture.lower() or may_be_called(said, kind_of(furniture))
 
 
 # --- memories ------------------------------------------------------------------------------------

@@ -3,31 +3,23 @@
 from __future__ import annotations
 
 from trees.beliefs.grounding.grounding import Ambiguous
-from trees.failures import CHOICES_JOINED_BY, Failure, FailureKind, Number
+from trees.failures import Failure, OpenChoice
 
 OTHER = "to.relation"
 """In place of a slot: what a relation in "to" compares with."""
 
-ONE_WILL_DO = "one_will_do"
-"""Number of a question that is no doubt: where there is one choice, nobody has to be asked."""
 
-
-def which_is_meant(unclear: Ambiguous, slot: str = "object", **numbers: Number) -> Failure:
+def which_is_meant(
+    unclear: Ambiguous, slot: str = "object", *, unseen: int = 0, one_will_do: bool = False
+) -> Failure:
     """The question, with its choices in words and as the planning scene names them.
 
     Args:
         unclear: What is not clear.
         slot: The task's slot that the answer fills in, or ``OTHER``.
-        numbers: Besides.
+        unseen: How many of the choices this task has not seen.
+        one_will_do: Whether nobody has to be asked where there is one choice alone.
     """
-    return Failure(
-        FailureKind.INFEASIBLE,
-        unclear.message,
-        {
-            "choices": CHOICES_JOINED_BY.join(choice.words for choice in unclear.choices),
-            "objects": CHOICES_JOINED_BY.join(choice.name for choice in unclear.choices),
-            "slot": slot,
-            "count": len(unclear.choices),
-            **numbers,
-        },
-    )
+    words = tuple(choice.words for choice in unclear.choices)
+    names = tuple(choice.name for choice in unclear.choices)
+    return Failure.asking(unclear.message, OpenChoice(words, names, slot, unseen, one_will_do))

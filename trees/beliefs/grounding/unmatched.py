@@ -8,11 +8,11 @@ from trees.beliefs.scene.believed_thing import BelievedThing
 
 
 class UntellableError(Exception):
-    """Something that was said cannot be told from what is known; the message asks for it.
+    """The description says something that the robot cannot tell of things, such as what they are made of.
 
     Attributes:
-        message: The question.
-        among: The things that fit otherwise.
+        message: The question that a person has to answer.
+        among: The things that fit all else of the description.
     """
 
     def __init__(self, message: str, among: Sequence[BelievedThing]) -> None:
@@ -21,11 +21,11 @@ class UntellableError(Exception):
 
 
 class NoneFitsError(Exception):
-    """A condition that nothing fulfils.
+    """No thing fulfils one of the conditions of the description.
 
     Attributes:
         message: What is missing.
-        had: Whether anything fitted before this condition.
+        had: Whether some thing fulfilled all conditions before this one.
     """
 
     def __init__(self, message: str, had: bool) -> None:

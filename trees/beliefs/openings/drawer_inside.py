@@ -34,7 +34,7 @@ _CLEAR_M = 0.03
 
 @dataclass(frozen=True, slots=True)
 class DrawerInside(Sealed):
-    """The part of a drawer that is open to above.
+    """The room inside an open drawer that can be reached from above.
 
     Attributes:
         odom_T_middle: Frame in the middle of its bottom's upper face, x into the furniture, shape (4, 4).

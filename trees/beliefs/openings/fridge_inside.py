@@ -51,7 +51,7 @@ _MOST = 12
 
 @dataclass(frozen=True, slots=True)
 class FridgeInside:
-    """What is behind an open door.
+    """The boards inside a piece of furniture whose door is open.
 
     Attributes:
         boards: The boards that were seen, the most comfortable height first; x of each points inwards.

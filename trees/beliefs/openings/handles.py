@@ -54,15 +54,15 @@ _ONE_BODY_M = 0.1
 
 @dataclass(frozen=True, slots=True)
 class HandleTarget:
-    """A handle to be moved.
+    """A door or drawer that is to be moved, with the handle that moves it.
 
     Attributes:
         kind: What it opens.
         handle, part: Names in the planning scene of its bar, and of the door or drawer.
-        path: Where the bar goes.
+        path: The path that the bar describes when the door or drawer is moved.
         opening: How far it is open, rad or m.
         hands: The hands that can follow it, the better one first.
-        unit: Of ``opening``.
+        unit: The unit that people are told ``opening`` in.
         pushed: Whether a hand pushes against the front, instead of taking hold of the bar; ``handle`` is
             the front itself where the bar is out of sight.
     """

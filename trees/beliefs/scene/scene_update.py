@@ -16,7 +16,7 @@ from trees.policy import TreePolicy
 
 @dataclass(frozen=True, slots=True)
 class SceneUpdate:
-    """The new scene, and the estimates of this look by the names that they have in it."""
+    """What a look has changed: the new planning scene, and what was seen, by the names in that scene."""
 
     scene: PlanningScene
     seen: Mapping[str, ObjectEstimate]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.ik.picture import in_picture
+from kinematics.ik.gaze import in_picture
 from kinematics.model.robot_description import CameraDescription
 from kinematics.scene.line_of_sight import hidden, near_line
 from kinematics.scene.planning_scene import PlanningScene, SceneObject

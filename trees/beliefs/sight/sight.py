@@ -65,7 +65,7 @@ def behind_a_hand(model: RobotModel, q: Array, eye: Array, point: Array, within_
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Glimpse(Sealed):
-    """One look: from where, and what of the robot itself was in the way.
+    """One look: where the camera was, and which parts of the robot itself may have hidden something.
 
     Attributes:
         odom_T_camera: Pose of the camera, shape (4, 4).

@@ -28,11 +28,11 @@ ABOVE_M = 0.05
 
 @dataclass(frozen=True, slots=True)
 class SightOfTops:
-    """The looks that were taken.
+    """Tells which parts of tops the looks so far have shown; elsewhere something may stand unseen.
 
     Attributes:
-        glimpses: From where.
-        camera: What it sees.
+        glimpses: The looks that were taken.
+        camera: What the camera can see from where it is.
         hidden_m: A line of sight that passes a part of the robot nearer than this may be blocked.
     """
 

@@ -15,7 +15,10 @@ from trees.tasks import Destination, ObjectDescription, PickTask, PlaceTask, Put
 
 
 class AskForPick(Leaf):
-    """Make the task of picking up the object that this task is about, or that a hand lost on its way."""
+    """Write the task of picking up the object that this task is about.
+
+    When a hand has lost the object on its way, that object is picked up again.
+    """
 
     INPUT_PORTS = ports(task=object, held=optional(HeldObject))
     OUTPUT_PORTS = ports(pick_task=PickTask, besides=object)

@@ -15,7 +15,11 @@ from trees.tasks import ObjectDescription, PickTask, PlaceTask
 
 
 class AskForSwap(Leaf):
-    """Make the tasks of putting down what a hand holds, and of taking it up with the other one."""
+    """Write two tasks that bring an object from one hand into the other.
+
+    The first puts down what the hand holds, the second picks it up with the other hand. It fails when the
+    person has named the hand, or the other hand is not free.
+    """
 
     INPUT_PORTS = ports(task=object, held=HeldObject)
     OUTPUT_PORTS = ports(swap_place=PlaceTask, swap_pick=PickTask)

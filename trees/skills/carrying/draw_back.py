@@ -14,7 +14,7 @@ _SHARES = (1.0, 0.7, 0.4)
 
 
 class DrawBack(PlannedMotionLeaf):
-    """Straight back along the hand's own axis, the way that it could have come."""
+    """Draw the open hand straight back along its own axis, until it is clear of what it held."""
 
     INPUT_PORTS = ports(held=HeldObject)
     OUTPUT_PORTS = ports()

@@ -15,7 +15,7 @@ from trees.skills.pick.tree import pick
 from trees.toolbox import Toolbox
 
 
-def have_it(toolbox: Toolbox, know_goal: Behaviour | None = None) -> Behaviour:
+def get_in_hand(toolbox: Toolbox, know_goal: Behaviour | None = None) -> Behaviour:
     """It is in a hand already, or it is picked up. Reads "task", writes "held".
 
     Args:

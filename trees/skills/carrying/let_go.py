@@ -20,9 +20,10 @@ _OPEN_SHARE = 0.9
 
 
 class LetGo(MotionLeaf):
-    """Open the hand, and put the object back into the world where the hand has it.
+    """Open the hand, and let the planning scene have the object where the hand has it.
 
-    Unless ``anyway``, the object must have been felt to stand on something.
+    It fails, and the hand stays closed, when the object was not felt to stand on something; made with
+    ``anyway``, it opens all the same.
     """
 
     INPUT_PORTS = ports(held=HeldObject, touched=bool)

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 
 from trees.nodes.ports import ports
 from trees.port_values import Placement
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_that_show
 
 
-class LookAtPlacement(Aim):
-    """Bring the placement to the middle of the picture.
+class LookAtPlacement(AimingLeaf):
+    """Turn the eyes so that the place where the object was put is in the middle of the picture.
 
-    What stands at the near edge of a table is below the picture of who stands upright: trunk and head look
-    at it together then.
+    From an upright posture the near edge of a table is below the picture. Where turning the head is not
+    enough, the trunk leans forward as well.
     """
 
     INPUT_PORTS = ports(placement=Placement)

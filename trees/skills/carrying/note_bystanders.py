@@ -12,7 +12,10 @@ from trees.nodes.ports import ports
 
 
 class NoteBystanders(Leaf):
-    """Write down the places of all movable things that nobody holds."""
+    """Write down where all movable things stand that no hand holds.
+
+    A later leaf compares, and so finds out whether the hand has pushed one of them.
+    """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports(stood=dict)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.leaves.go_home import GoHome
+from trees.nodes.judgements import judgement
 from trees.nodes.retry import Retry
-from trees.readings.held import LOST
 from trees.skills.looking.look_over import look_over
 from trees.toolbox import Toolbox
 
@@ -33,11 +33,12 @@ def regrasping(carry: list[Behaviour], toolbox: Toolbox) -> Retry:
     )
 
 
+@judgement
 def was_not_lost(failure: Failure, _before: Failure | None) -> bool:
     """Only what was lost on the way can be picked up again."""
     link: Failure | None = failure
     while link is not None:
-        if LOST in link.numbers:
+        if link.reason is Reason.SLIPPED:
             return False
         link = link.cause
     return True

@@ -13,7 +13,11 @@ from trees.readings.held import lost
 
 
 class StillHeld(Leaf):
-    """The gripper says holding; what was lost is forgotten, and nothing is done as if it were there."""
+    """Measure with the gripper that the hand still holds what it carries.
+
+    When it does not, the leaf fails, and takes the object out of the planning scene: where it is now is not
+    known.
+    """
 
     INPUT_PORTS = ports(held=HeldObject)
     OUTPUT_PORTS = ports()

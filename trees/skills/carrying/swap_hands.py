@@ -5,8 +5,9 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, Reason
 from trees.nodes.best_effort import BestEffort
+from trees.nodes.judgements import judgement
 from trees.nodes.wiring import rewired
 from trees.skills.carrying.ask_for_swap import AskForSwap
 from trees.skills.carrying.draw_back import DrawBack
@@ -32,7 +33,7 @@ def swap_hands(put_down: list[Behaviour], toolbox: Toolbox) -> Behaviour:
     return Sequence("take it with the other hand", memory=True, children=children)
 
 
+@judgement
 def other_hand_is_no_help(failure: Failure) -> bool:
     """All but a planner's no to every spot that was free."""
-    planners = "spots" in failure.numbers and "considered" in failure.numbers
-    return failure.kind is not FailureKind.INFEASIBLE or bool(failure.choices) or not planners
+    return failure.reason is not Reason.NO_WAY_TO_SPOT or bool(failure.choices)

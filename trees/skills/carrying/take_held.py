@@ -13,7 +13,10 @@ from trees.readings.held import held_object
 
 
 class TakeHeld(Leaf):
-    """The object of the task is in a hand: the world model says so, and the gripper feels it."""
+    """Find the object of the task in a hand, and write which hand holds it.
+
+    The world model must have it in the hand, and the gripper must feel it.
+    """
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(held=HeldObject)
@@ -35,7 +38,10 @@ class TakeHeld(Leaf):
 
 
 class IsHeld(TakeHeld):
-    """As ``TakeHeld``; that it is not held is an answer. What a hand holds is never all that is meant."""
+    """Ask whether a hand already holds the object of the task; that none does is an answer, not a failure.
+
+    When the task means several objects the answer is no, since a hand can hold only one of them.
+    """
 
     ASKS = True
 

@@ -1,1 +1,33 @@
 """Open and close hinged doors and drawers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trees.skill import Need, Skill
+from trees.tasks import CloseTask, OpenTask
+
+if TYPE_CHECKING:
+    from py_trees.behaviour import Behaviour
+
+    from trees.toolbox import Toolbox
+
+
+def _open(_task: OpenTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.doors.open import open_or_close
+
+    return open_or_close(toolbox)
+
+
+def _close(_task: CloseTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.doors.close import close
+
+    return close(toolbox)
+
+
+SKILLS = (
+    Skill(task=OpenTask, tree=_open, example="open the fridge", needs=frozenset({Need.HAND}), goes_away=True),
+    Skill(
+        task=CloseTask, tree=_close, example="close the drawer", needs=frozenset({Need.HAND}), goes_away=True
+    ),
+)

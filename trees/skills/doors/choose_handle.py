@@ -19,7 +19,10 @@ from trees.toolbox import Toolbox
 
 
 class ChooseHandle(Leaf):
-    """Among all that was seen: "the right fridge" may not be the one that a look showed first."""
+    """Choose the door or drawer that the task means among all that were seen.
+
+    A look may have shown only one of several; "the right fridge" can be told only once all have been seen.
+    """
 
     ASKS = True
     INPUT_PORTS = ports(task=object, seen=HandleTarget)

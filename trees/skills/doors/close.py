@@ -12,32 +12,31 @@ from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
-from trees.skills.doors.approach_handle import ApproachHandle
 from trees.skills.doors.come_to_handle import come_to_handle
 from trees.skills.doors.detect_front import DetectFront
 from trees.skills.doors.find_handle import seen_from_elsewhere
-from trees.skills.doors.lead_handle import LeadHandle, is_stuck
+from trees.skills.doors.handle.approach_handle import ApproachHandle
+from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck
+from trees.skills.doors.handle.step_back import StepBack
+from trees.skills.doors.handle.touch_front import TouchFront
 from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.open import (
     ATTEMPTS,
     GAZES,
+    choose_which,
     going,
-    hopeless,
-    looking_elsewhere_is_useless,
+    moving_it_again_is_useless,
     open_or_close,
     planned,
     sequence,
-    settle_which,
-    tidying_helps,
     time_limit_s,
     verify,
+    what_was_seen_decides,
 )
 from trees.skills.doors.reach_watching import ReachWatching
-from trees.skills.doors.step_back import StepBack
-from trees.skills.doors.touch_front import TouchFront
 from trees.skills.doors.verify_opening import IsItSo
 from trees.skills.looking.look_at import LookAt
 from trees.toolbox import Toolbox
@@ -45,13 +44,13 @@ from trees.toolbox import Toolbox
 
 def close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
-    return Alternatives("close", [_push_shut(toolbox), open_or_close(toolbox)], hopeless=_handle_is_no_help)
+    return Alternatives("close", [_push_shut(toolbox), open_or_close(toolbox)], hopeless=handle_is_no_help)
 
 
 def _push_shut(toolbox: Toolbox) -> Behaviour:
-    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
-    settled = settle_which(toolbox, DetectFront, pushed=True)
+    settled = choose_which(toolbox, DetectFront, pushed=True)
     main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
@@ -69,7 +68,7 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
         sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectFront("detect front", toolbox))
         for gaze in gazes
     ]
-    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+    return Alternatives(name, looks, hopeless=what_was_seen_decides)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
@@ -105,5 +104,7 @@ def _leave(toolbox: Toolbox) -> Behaviour:
     return sequence("give up", BestEffort(StepBack("step back", toolbox)), *going(toolbox, DetectFront))
 
 
-def _handle_is_no_help(failure: Failure) -> bool:
+@judgement
+def handle_is_no_help(failure: Failure) -> bool:
+    """A defect, a question, or what does not give way: pulling a handle closes it no better than a push."""
     return defect(failure) or bool(failure.choices) or is_stuck(failure)

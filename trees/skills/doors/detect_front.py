@@ -17,7 +17,10 @@ from trees.skills.looking.look_leaf import View
 
 
 class DetectFront(DetectHandle):
-    """As ``DetectHandle``, but the handle need not be seen: an open door hides it from most gazes."""
+    """See a door that is to be pushed shut, with or without its handle.
+
+    An open door hides its handle from most directions, and a hand can push it without one.
+    """
 
     _drawers = False
 

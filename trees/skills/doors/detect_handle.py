@@ -24,11 +24,11 @@ from trees.toolbox import Toolbox
 
 
 class DetectHandle(LookLeaf):
-    """Fuse a few frames into the world model, and find the handle of what the task names.
+    """See the door or drawer that the task names, with its handle, and remember it in the world model.
 
-    A search looks from gaze to gaze: that it is not seen from one of them is an answer. What was chosen
-    before is seen again, and no other one; the only one in a look is taken till ``ChooseHandle`` has seen
-    the rest.
+    A search looks in several directions; that one look does not show the handle is an answer, not a failure.
+    Once a handle was chosen, only that one is looked for. Until then the only one in a look is taken, and
+    ``ChooseHandle`` decides when the others have been seen.
     """
 
     ASKS = True

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.doors.come_to_handle import come_to_handle
 from trees.skills.doors.recall_handle import RecallHandle
@@ -57,9 +57,11 @@ def seen_from_elsewhere(
             search("look from there", gazes if way == "back" else gazes[:_AHEAD]),
         ]
         ways.append(Sequence("a step back" if k == 0 else f"turned {k}", memory=True, children=steps))
-    return Alternatives(name, ways, looking_elsewhere_is_useless, _can_walk)
+    return Alternatives(name, ways, looking_elsewhere_is_useless, can_walk)
 
 
-def _can_walk(way: Behaviour, _failure: Failure | None) -> bool:
+@judgement
+def can_walk(way: Behaviour, _failure: Failure | None) -> bool:
+    """Ways that walk only where the robot can; any other always."""
     walks = [leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint | WalkToHandle)]
     return not walks or walks[0].toolbox.can_walk

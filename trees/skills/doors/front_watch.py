@@ -18,7 +18,7 @@ _SAME_M = 0.5
 
 
 class FrontWatch:
-    """Compares each new picture with the planning scene that the way was planned in.
+    """Compares each new picture with the planning scene, to notice that a door moves while a hand nears it.
 
     Args:
         toolbox: What the robot sees, and what it believes.

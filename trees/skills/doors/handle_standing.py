@@ -1,4 +1,4 @@
-"""Where to stand to open or close something: docs/doors.md tells how the numbers were found."""
+"""Where to stand to open or close something: docs/notes/doors.md tells how the numbers were found."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.leaves.release import Release
 from trees.nodes.best_effort import BestEffort
-from trees.skills.doors.step_back import StepBack
+from trees.skills.doors.handle.step_back import StepBack
 from trees.toolbox import Toolbox
 
 

@@ -11,7 +11,7 @@ from robots.scenes.articulated import DOOR, DRAWER, HANDLE
 from trees.beliefs.openings.handles import HandleTarget
 from trees.nodes.ports import optional, ports
 from trees.policy import Gaze
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_of
 from trees.toolbox import Toolbox
 
@@ -20,8 +20,8 @@ _BETWEEN = 0.5
 """Of the way from the handle to the middle of what it opens: both are to be seen."""
 
 
-class LookAtHandle(Aim):
-    """Turn the head so that a handle, and what it opens, are in the picture where they are believed to be."""
+class LookAtHandle(AimingLeaf):
+    """Turn the head so that a handle, and the door or drawer behind it, should be in the picture."""
 
     INPUT_PORTS = ports(handle=optional(HandleTarget))
     OUTPUT_PORTS = ports()

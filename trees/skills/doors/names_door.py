@@ -15,7 +15,7 @@ from trees.tasks import ObjectDescription
 
 
 class NamesDoor(Leaf):
-    """Succeed unless the task names a drawer."""
+    """Fail when the task names a drawer, which is closed by its handle; succeed in all other cases."""
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports()

@@ -7,7 +7,7 @@ from collections.abc import Sequence as Many
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome
@@ -16,21 +16,21 @@ from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
-from trees.skills.doors.approach_handle import ApproachHandle
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.come_to_handle import come_to_handle
 from trees.skills.doors.detect_handle import DetectHandle
 from trees.skills.doors.find_handle import seen_from_elsewhere
-from trees.skills.doors.grasp_handle import GraspHandle
-from trees.skills.doors.lead_handle import LeadHandle, is_stuck, slips_off
+from trees.skills.doors.handle.approach_handle import ApproachHandle
+from trees.skills.doors.handle.grasp_handle import GraspHandle
+from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck, slips_off
+from trees.skills.doors.handle.step_back import StepBack
 from trees.skills.doors.look_at_handle import LookAtHandle
 from trees.skills.doors.names_door import NamesDoor
 from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
-from trees.skills.doors.step_back import StepBack
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.survey import Survey
@@ -56,13 +56,13 @@ _BESIDE, _BELOW_BESIDE = GAZES[4:6], GAZES[6:8]
 
 def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
-    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, hopeless)
+    attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
     come = come_to_handle(toolbox, _search("look again", toolbox))
     do = _Sequence("come and move it", memory=True, children=[come, attempts])
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])
     ways.transparent = True
-    settled = settle_which(toolbox, DetectHandle, pushed=False)
+    settled = choose_which(toolbox, DetectHandle, pushed=False)
     main = _Sequence("move the handle", memory=True, children=[_search_about(toolbox), settled, ways])
     main.transparent = True
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
@@ -106,10 +106,10 @@ def _search(name: str, toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Alternati
             for gaze in gazes
         ),
     ]
-    return Alternatives(name, looks, hopeless=looking_elsewhere_is_useless)
+    return Alternatives(name, looks, hopeless=what_was_seen_decides)
 
 
-def settle_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
+def choose_which(toolbox: Toolbox, detect: type[DetectHandle], *, pushed: bool) -> Behaviour:
     """Look to both sides of the robot, choose among all that is known by then, and look at the chosen one."""
     doors, drawers = _looks_beside(toolbox, _BESIDE), _looks_beside(toolbox, _BELOW_BESIDE)
     ways = [sequence("doors", NamesDoor("is it a door", toolbox), *doors), sequence("drawers", *drawers)]
@@ -179,9 +179,10 @@ def verify(toolbox: Toolbox) -> Behaviour:
     )
 
 
+@judgement
 def seen_already(failure: Failure) -> bool:
     """What was seen stands: from elsewhere it may be out of sight, and the hand's word is a worse one."""
-    return defect(failure) or bool(failure.root.numbers.get("seen", False))
+    return defect(failure) or failure.root.reason is Reason.SEEN_NOT_AS_ASKED
 
 
 def going(toolbox: Toolbox, detect: type[DetectHandle] = DetectHandle) -> list[Behaviour]:
@@ -220,18 +221,15 @@ def _leave(toolbox: Toolbox) -> Behaviour:
     )
 
 
-def looking_elsewhere_is_useless(failure: Failure) -> bool:
-    """Tell whether what was seen decides."""
+@judgement
+def what_was_seen_decides(failure: Failure) -> bool:
+    """A defect, or what was seen decides that it cannot be done: another look shows the same."""
     return defect(failure) or failure.kind is FailureKind.INFEASIBLE
 
 
-def hopeless(failure: Failure, before: Failure | None) -> bool:
+@judgement
+def moving_it_again_is_useless(failure: Failure, before: Failure | None) -> bool:
     """A defect, the planner's no twice in a row, or something that is stuck: pulling again opens no lock."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
     stuck = is_stuck(failure) and (not slips_off(failure) or (before is not None and slips_off(before)))
     return defect(failure) or bool(failure.choices) or twice or stuck
-
-
-def tidying_helps(failure: Failure) -> bool:
-    """Tell whether the robot should tidy up after a failure."""
-    return not defect(failure) and not failure.choices

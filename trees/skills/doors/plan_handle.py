@@ -2,27 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from py_trees.ports import PortInformation
 
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
-from kinematics.requests.step import NoPlan
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import CLOSE_TO, OPEN_TO, HandleTarget
-from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.job_leaf import JobLeaf
-from trees.nodes.plan_failures import no_plan_failure
+from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Step
 from trees.skills.doors.pushed_front import PUSH_TO_RAD
 from trees.tasks import OpenTask
 
 
-class PlanHandle(JobLeaf):
-    """Have the planner choose a grasp of the handle from which its whole way is within reach."""
+class PlanHandle(PlanningLeaf[HandlePlan]):
+    """Have the planner choose a grasp of the handle from which the hand can follow its whole path."""
 
     INPUT_PORTS = ports(
         task=object,
@@ -41,7 +36,6 @@ class PlanHandle(JobLeaf):
         """The hands of the target, unless one is named."""
         toolbox, task = self.toolbox, self.get_input("task")
         target: HandleTarget = self.get_input("handle")
-        self._world_version = toolbox.world.scene.version
         if target.pushed:
             self._lead_to = PUSH_TO_RAD
         else:
@@ -61,16 +55,11 @@ class PlanHandle(JobLeaf):
             pushed=target.part if target.pushed else "",
         )
 
-    def accept(self, answer: Any) -> Failure | None:
+    def planned(self, plan: HandlePlan) -> None:
         """Write grasp and steps."""
-        if isinstance(answer, NoPlan):
-            return no_plan_failure(answer)
-        if not isinstance(answer, HandlePlan):
-            raise TypeError(f"the planner answered {type(answer).__name__} for a handle")
-        self._set_output("grasp", answer.grasp)
+        self._set_output("grasp", plan.grasp)
         self._set_output("lead_to", self._lead_to)
-        for port, step in (("reach", answer.reach), ("approach", answer.approach)):
-            self._set_output(port, Step.of(step, self._world_version))
-        self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
-        self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
-        return None
+        self.write_step("reach", plan.reach)
+        self.write_step("approach", plan.approach)
+        self.feedback_message = f"{plan.grasp.hand} hand, {plan.grasp.label}"
+        self.measured(hand=plan.grasp.hand, grasp=plan.grasp.label, considered=plan.considered)

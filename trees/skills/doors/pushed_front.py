@@ -7,13 +7,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import DoorArc
-from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, top_of_nearest
@@ -41,19 +39,6 @@ def fronts_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
             if target is not None:
                 found.append(target)
     return found
-
-
-def outwards(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
-    """Horizontal unit vector square to the front, to the side of its handle, shape (3,)."""
-    if target.part not in scene.objects:
-        return target.path.at(target.opening).outward
-    pose = scene.objects[target.part].world_T_object
-    normal = pose[:3, 0] * np.array([1.0, 1.0, 0.0])
-    normal /= np.linalg.norm(normal)
-    if target.pushed:
-        return np.asarray(normal if normal @ target.path.at(target.opening).outward > 0.0 else -normal)
-    bar_m = scene.objects[target.handle].world_T_object[:3, 3]
-    return np.asarray(normal if (bar_m - pose[:3, 3]) @ normal > 0.0 else -normal)
 
 
 def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:

@@ -15,7 +15,10 @@ from trees.skills.doors.front_watch import MOVED_M, FrontWatch
 
 
 class ReachWatching(StreamMotion):
-    """As ``StreamMotion``, with the eyes on the front: a door that swings would be met at full speed."""
+    """Stream the reach to a door or drawer, and stop when it is seen to move.
+
+    A door that swings meanwhile would be met at full speed.
+    """
 
     INPUT_PORTS = ports(checked=CheckedStep, handle=HandleTarget)
     OUTPUT_PORTS = ports()

@@ -24,9 +24,10 @@ _FAR_M = 1.0
 
 
 class RecallHandle(Leaf):
-    """Take what the task names from the world model: where to go, and look again.
+    """Take the door or drawer that the task names from the world model, to go there and look again.
 
-    A wide-open door is edge-on to whoever stands before what it belongs to, but not from where it is moved.
+    It is for what cannot be seen well from here: a wide-open door, for example, is seen edge-on by who stands
+    before the furniture that it belongs to.
     """
 
     ASKS = True

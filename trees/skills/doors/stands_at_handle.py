@@ -16,7 +16,10 @@ from trees.skills.doors.handle_standing import NEAR_M, NEAR_RAD, handle_standing
 
 
 class StandsAtHandle(Leaf):
-    """Compare where the robot stands with where it should; one that cannot walk stands where it may."""
+    """Compare where the robot stands with the place from which the handle can be moved.
+
+    A robot that cannot walk succeeds wherever it stands.
+    """
 
     INPUT_PORTS = ports(handle=HandleTarget)
     OUTPUT_PORTS = ports()
@@ -45,6 +48,6 @@ class StandsAtHandle(Leaf):
 
 
 class StandsThereAlready(StandsAtHandle):
-    """As ``StandsAtHandle``, before a walk; that it stands elsewhere is an answer."""
+    """As ``StandsAtHandle``, before a walk: that the robot stands elsewhere is an answer, not a failure."""
 
     ASKS = True

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from trees.beliefs.openings.handles import OPEN_ENOUGH, SHUT, HandleTarget, opening_in
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
@@ -14,9 +14,10 @@ from trees.tasks import OpenTask
 
 
 class VerifyOpening(LookLeaf):
-    """Look at it: what swung back, or sprang open again, was not done.
+    """Look at a door or drawer, and measure whether it is as far open or closed as the task asks.
 
-    Hand and eye are two sensors of one angle; when the door cannot be seen, the hand's word stands.
+    One that swung back or sprang open again is noticed like this. When the camera does not see it, the
+    opening counts that the hand has felt.
     """
 
     INPUT_PORTS = ports(task=object, handle=HandleTarget, opening=optional(float), opened=optional(dict))
@@ -48,13 +49,15 @@ class VerifyOpening(LookLeaf):
             state = "open" if opening else "closed"
             # before a hand has moved it, it did not fail to stay so
             is_not = "is not" if self.optional("opened") is None else "did not stay"
-            return Failure.postcondition(f"the {target.part} {is_not} {state}", **evidence)
+            reason = Reason.KIND_ONLY if seen is None else Reason.SEEN_NOT_AS_ASKED
+            message = f"the {target.part} {is_not} {state}"
+            return Failure.postcondition(message, None, **evidence).because(reason)
         self._set_output("evidence", evidence)
         self.feedback_message = f"{target.shown(best):.2f} {target.unit}"
         return DONE
 
 
 class IsItSo(VerifyOpening):
-    """As ``VerifyOpening``, before anything is moved; that it is not so is an answer."""
+    """As ``VerifyOpening``, before anything is moved: that it is not as asked is an answer, not a failure."""
 
     ASKS = True

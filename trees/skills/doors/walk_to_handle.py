@@ -11,7 +11,7 @@ from trees.skills.walking.walk_to import WalkTo
 
 
 class WalkToHandle(WalkTo):
-    """As ``WalkTo``, to the place that suits a handle."""
+    """Walk to the place from which a door or drawer can be opened or closed."""
 
     INPUT_PORTS = ports(handle=HandleTarget)
     OUTPUT_PORTS = ports(goal=PlanarPose)

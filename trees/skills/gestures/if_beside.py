@@ -12,10 +12,10 @@ from trees.toolbox import Toolbox
 
 
 class IfBeside(Skipping):
-    """Ticks its child when a robot that walks has the place too far to a side; otherwise succeeds at once.
+    """Ticks its child if the robot has to turn its feet to face the place, and can; else it succeeds.
 
     Attributes:
-        beyond_rad: So far to a side of where the feet point it is too far.
+        beyond_rad: Angle between where the feet point and the place from which on they have to turn.
     """
 
     INPUT_PORTS = ports(place=Place)

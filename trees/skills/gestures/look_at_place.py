@@ -16,11 +16,12 @@ from trees.nodes.leaf import DONE
 from trees.nodes.move_from_here import move_from_here
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
+from trees.skills.gestures.settings import GestureSettings
 from trees.skills.looking.look_at import turning_joint
 
 
 class LookAtPlace(PlannedMotionLeaf):
-    """Turn the head, and where that is not enough trunk and pelvis, to what is meant."""
+    """Turn the head to what the task means; where that is not enough, turn trunk and pelvis as well."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)
@@ -54,9 +55,11 @@ class LookAtPlace(PlannedMotionLeaf):
         half = np.tan([0.5 * camera.horizontal_fov_rad, 0.5 * camera.vertical_fov_rad])
         off = math.inf if z <= 0.0 else float(np.max(np.abs(np.array([x, y]) / z) / half))
         self.measured(off_centre=off)
-        if off > self.toolbox.policy.centred:
+        if off > self.toolbox.policy.of(GestureSettings).centred:
             return Failure.postcondition(
-                "it is beside the picture's centre", off_centre=off, tolerance=self.toolbox.policy.centred
+                "it is beside the picture's centre",
+                off_centre=off,
+                tolerance=self.toolbox.policy.of(GestureSettings).centred,
             )
         self._set_output("evidence", {"off_centre": off})
         return DONE

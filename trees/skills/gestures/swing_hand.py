@@ -11,6 +11,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
+from trees.skills.gestures.settings import GestureSettings
 
 
 class SwingHand(PlannedMotionLeaf):
@@ -28,15 +29,15 @@ class SwingHand(PlannedMotionLeaf):
 
     def goal(self) -> SwingRequest:
         """Swings from where the hand is."""
-        policy = self.toolbox.policy
+        settings = self.toolbox.policy.of(GestureSettings)
         self._aside_m: list[float] = []
         return SwingRequest(
             q_start=self.toolbox.motion.reference(),
             stance=self.toolbox.motion.stance(),
             scene=self.toolbox.world.scene,
             hand=self.get_input("waving_hand"),
-            width_m=policy.wave_width_m,
-            swings=policy.wave_swings,
+            width_m=settings.wave_width_m,
+            swings=settings.wave_swings,
         )
 
     def step(self) -> Status | Failure:
@@ -46,11 +47,11 @@ class SwingHand(PlannedMotionLeaf):
             self._aside_m.append(self._hand_aside_m())
         if outcome is not DONE:
             return outcome
-        policy = self.toolbox.policy
-        swings = swings_in(self._aside_m, policy.wave_least_m)
+        settings = self.toolbox.policy.of(GestureSettings)
+        swings = swings_in(self._aside_m, settings.wave_least_m)
         numbers = {"swings": swings, "width_m": max(self._aside_m) - min(self._aside_m)}
         self.measured(**numbers)
-        if swings < policy.wave_least_swings:
+        if swings < settings.wave_least_swings:
             return Failure.postcondition("the hand did not swing enough", None, **numbers)
         self._set_output("evidence", {"hand": self.get_input("waving_hand"), **numbers})
         return DONE

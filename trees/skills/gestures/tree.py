@@ -11,9 +11,11 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
+from trees.nodes.judgements import judgement
 from trees.skills.gestures.look_at_place import LookAtPlace
 from trees.skills.gestures.plan_pointing import PlanPointing
 from trees.skills.gestures.raise_hand import RaiseHand
+from trees.skills.gestures.settings import GestureSettings
 from trees.skills.gestures.swing_hand import SwingHand
 from trees.skills.gestures.turn_to_it import BEHIND_RAD, turned_to
 from trees.skills.gestures.verify_pointing import VerifyPointing
@@ -57,7 +59,7 @@ def point_at(toolbox: Toolbox) -> Behaviour:
         CheckTrajectory("check pointing", toolbox, {"step": "reach", "checked": "checked_reach"}),
         StreamMotion("stretch arm", toolbox, {"checked": "checked_reach"}),
         VerifyPointing("see where it points", toolbox),
-        Hold("hold", toolbox, toolbox.policy.pointing_hold_s),
+        Hold("hold", toolbox, toolbox.policy.of(GestureSettings).pointing_hold_s),
         GoHome("lower arm", toolbox),
     ]
     return tidily("point at", children, toolbox, toolbox.policy.walk_timeout_s)
@@ -81,6 +83,7 @@ def look_at(toolbox: Toolbox) -> Behaviour:
     return tidily("look at", children, toolbox, toolbox.policy.walk_timeout_s)
 
 
+@judgement
 def hands_are_not_in_the_way(failure: Failure) -> bool:
     """All but a planner's no: what a hand has lifted over a table is in the way of who leans over it."""
     return failure.kind is not FailureKind.INFEASIBLE or bool(failure.choices)

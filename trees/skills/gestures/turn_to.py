@@ -18,7 +18,7 @@ from trees.skills.walking.walking_room import no_room_to_turn, walking_room
 
 
 class TurnTo(ScannedWalk):
-    """Step around until the feet point at it."""
+    """Turn on the spot, by stepping, until the feet point at what the task is aimed at."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports()

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.ik.pointing import pointing_error_m
+from kinematics.ik.arm_frames import pointing_error_m
 from kinematics.model.robot_description import HANDS
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
+from trees.skills.gestures.settings import GestureSettings
 
 
 class VerifyPointing(Leaf):
-    """See by the encoders that an arm points at what is meant."""
+    """Measure with the encoders that the line through a forearm and its hand meets what is meant."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)
@@ -31,7 +32,7 @@ class VerifyPointing(Leaf):
         q = toolbox.sensing.state().q
         errors_m = {hand: pointing_error_m(toolbox.model, q, hand, aim) for hand in HANDS}
         hand = min(HANDS, key=lambda one: errors_m[one])
-        off_m, tolerance_m = errors_m[hand], toolbox.policy.pointing_tolerance_m
+        off_m, tolerance_m = errors_m[hand], toolbox.policy.of(GestureSettings).pointing_tolerance_m
         self.measured(hand=hand, off_m=off_m)
         if off_m > tolerance_m:
             return Failure.postcondition("the arm points beside it", off_m=off_m, tolerance_m=tolerance_m)

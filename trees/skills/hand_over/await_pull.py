@@ -14,13 +14,15 @@ from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.ports import ports
 from trees.readings.held import lost
 from trees.readings.touch_watch import TouchWatch
+from trees.skills.hand_over.settings import HandOverSettings
 
 
 class AwaitPull(Leaf):
-    """Feel the hand: a force that has changed by the policy's pull, and stays so for its time, is a pull.
+    """Wait until the person pulls at what the hand offers.
 
-    An object that has left the hand was taken if such a force was felt before, however short; without one
-    it slipped.
+    A pull is a change of the force on the hand that is as large, and lasts as long, as the policy asks for.
+    When the object leaves the hand, it was taken if such a force was felt before, for however short a time;
+    otherwise it slipped.
     """
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)
@@ -44,32 +46,32 @@ class AwaitPull(Leaf):
 
     def step(self) -> Status | Failure:
         """One more reading."""
-        policy, held = self.toolbox.policy, self.get_input("held")
-        if self.elapsed_s < policy.offer_rest_s:
+        settings, held = self.toolbox.policy.of(HandOverSettings), self.get_input("held")
+        if self.elapsed_s < settings.offer_rest_s:
             self._watch.feel_rest()
             return RUNNING
         if not self.toolbox.grippers[held.hand].reading().holding:
             self.measured(pull_n=self._strongest_n)
-            if self._strongest_n < policy.pull_n:
+            if self._strongest_n < settings.pull_n:
                 return lost(self.toolbox, held)
             self._set_output("pull_n", self._strongest_n)
             return DONE
         pull_n = float(np.linalg.norm(self._watch.feel()))
         self._strongest_n = max(self._strongest_n, pull_n)
         self.feedback_message = f"{pull_n:.1f} N"
-        if pull_n < policy.pull_n:
+        if pull_n < settings.pull_n:
             self._since_s = None
         elif self._since_s is None:
             self._since_s = self.elapsed_s
-        elif self.elapsed_s - self._since_s >= policy.pull_s:
+        elif self.elapsed_s - self._since_s >= settings.pull_s:
             self.measured(pull_n=pull_n)
             self._set_output("pull_n", pull_n)
             return DONE
-        if self.elapsed_s > policy.take_within_s:
+        if self.elapsed_s > settings.take_within_s:
             return Failure.postcondition(f"nobody took the {held.name}", waited_s=self.elapsed_s)
         return RUNNING
 
     @property
     def deadline_s(self) -> float:
         """The policy's patience, and the contract's allowance."""
-        return self.toolbox.policy.take_within_s + self.CONTRACT.deadline_s
+        return self.toolbox.policy.of(HandOverSettings).take_within_s + self.CONTRACT.deadline_s

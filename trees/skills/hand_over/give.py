@@ -17,7 +17,7 @@ _OPEN_SHARE = 0.9
 
 
 class Give(MotionLeaf):
-    """Open the hand; what it held is the person's now, and no longer part of the scene."""
+    """Open the hand; the person has the object now, and it is no longer part of the planning scene."""
 
     INPUT_PORTS = ports(held=HeldObject, pull_n=float)
     OUTPUT_PORTS = ports(evidence=dict, placement=Placement)

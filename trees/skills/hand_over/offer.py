@@ -6,7 +6,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.requests.gesture import OfferRequest
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
@@ -17,7 +17,7 @@ _WITHIN_M = 2.5
 
 
 class Offer(PlannedMotionLeaf):
-    """Bring the held object, upright, to where the person can take it, looking at the person."""
+    """Hold the object out, upright, to where the person can take it, and look at the person."""
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)
     OUTPUT_PORTS = ports()
@@ -36,7 +36,8 @@ class Offer(PlannedMotionLeaf):
             return Failure.infeasible(f"the {place.name} is nobody who could take it")
         away_m = feet_pose(toolbox).distance_m(PlanarPose.of(place.odom_T_place))
         if away_m > _WITHIN_M:
-            return Failure.infeasible(f"{place.name} stands {away_m:.1f} m away", person_m=away_m)
+            message = f"{place.name} stands {away_m:.1f} m away"
+            return Failure.infeasible(message, person_m=away_m).because(Reason.PERSON_TOO_FAR)
         x, y, z = (float(value) for value in place.aim_m)
         return OfferRequest(
             q_start=toolbox.motion.reference(),

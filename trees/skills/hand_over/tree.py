@@ -5,20 +5,21 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.leaves.go_home import GoHome
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.hand_over.await_pull import AwaitPull
 from trees.skills.hand_over.give import Give
 from trees.skills.hand_over.offer import Offer
+from trees.skills.hand_over.settings import HandOverSettings
 from trees.skills.hand_over.verify_taken import VerifyTaken
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.search_place import search_place
@@ -32,13 +33,13 @@ def hand_over(toolbox: Toolbox) -> Behaviour:
     policy = toolbox.policy
     know_who = search_place("know the person", toolbox, _gazes(toolbox), slots=("to",))
     children: list[Behaviour] = [
-        have_it(toolbox, know_who),
+        get_in_hand(toolbox, know_who),
         _find_the_person(toolbox),
         NoteBystanders("note what stands about", toolbox),
         Offer("offer", toolbox),
         AwaitPull("wait for the pull", toolbox),
         Give("give", toolbox),
-        Hold("let it go", toolbox, policy.after_giving_s),
+        Hold("let it go", toolbox, policy.of(HandOverSettings).after_giving_s),
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("go home", toolbox),
         _see_who_has_it(toolbox),
@@ -75,9 +76,10 @@ def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
             ("look at the person", "ahead", LookAt("look up", toolbox, level)),
         )
     ]
-    return Alternatives("see who has it", ways, hopeless=_seen_elsewhere)
+    return Alternatives("see who has it", ways, hopeless=seen_elsewhere)
 
 
-def _seen_elsewhere(failure: Failure) -> bool:
+@judgement
+def seen_elsewhere(failure: Failure) -> bool:
     """It was seen where it should not be: another look does not help."""
-    return defect(failure) or "height_m" in failure.numbers
+    return defect(failure) or failure.reason in (Reason.DROPPED, Reason.TAKEN_BY_ANOTHER)

@@ -12,7 +12,7 @@ from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -29,12 +29,12 @@ _CARRIED_M = 0.25
 
 
 class VerifyTaken(LookAround):
-    """What was given is seen in the air, away from the hand, or stands far from where it was let go.
+    """See that the person has taken the object.
 
-    It went towards the person whom it was meant for: another one may have taken it.
-
-    Nothing hangs in the air by itself: the person has it, however far the person's arm reaches. A person who
-    holds it just above a table, or has put it there, has taken it as well.
+    It has been taken when it is seen in the air and away from the hand, since nothing hangs in the air by
+    itself, or when it stands far from where the hand let go of it. It must also have gone towards the person
+    that it was meant for, since somebody else may have taken it. It has not been taken when it was dropped,
+    or is still at the hand.
     """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place, placement=Placement)
@@ -67,11 +67,12 @@ class VerifyTaken(LookAround):
             stands_on = support_of(scene.objects[name], scene, policy.support_gap_m)
             if (stands_on is not None and not self._carried(item)) or height_m < _DROPPED_BELOW_M:
                 where = "" if stands_on is None else f" onto the {stands_on.name}"
-                return Failure.postcondition(f"the {held.name} was dropped{where}", height_m=height_m)
+                message = f"the {held.name} was dropped{where}"
+                return Failure.postcondition(message, height_m=height_m).because(Reason.DROPPED)
             let_go = self.get_input("placement").odom_T_object
             if (other := another_took_it(person, let_go, item.odom_T_object, scene)) is not None:
                 message = f"the {held.name} was taken by {other}, not by {person}"
-                return Failure.postcondition(message, height_m=height_m)
+                return Failure.postcondition(message, height_m=height_m).because(Reason.TAKEN_BY_ANOTHER)
             self.feedback_message = f"seen {height_m:.2f} m above the floor"
             return DONE
         return Failure.postcondition(f"the {held.name} was let go, and is not seen with {person}")

@@ -17,9 +17,10 @@ _STANDS_WITHIN_M = 0.01
 
 
 class FindLeftAbout(Leaf):
-    """The object that fingers are about and that stands, so that nothing falls when they open.
+    """Find an object that stands on something with the fingers of a hand around it.
 
-    Who took over a robot knows of nothing that its hands hold. What one has lifted stays in it.
+    A program that takes over a robot does not know what its hands hold. A hand whose object stands can be
+    opened, for nothing falls. One whose object is in the air stays closed.
     """
 
     INPUT_PORTS = ports()

@@ -11,9 +11,9 @@ from trees.toolbox import Toolbox
 
 
 class IfNothingIsKnown(Skipping):
-    """Ticks its child when nothing was seen yet and the body is not at home; otherwise succeeds at once.
+    """Ticks its child if nothing has been seen yet and the body is not at home; otherwise succeeds at once.
 
-    So it is after a new executive took over a robot that another one left in the middle of something.
+    This is so when a program has taken over a robot that another one left in the middle of a task.
     """
 
     INPUT_PORTS = ports()

@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.write_port import Given
+from trees.nodes.write_port import WritePort
 from trees.skills.carrying.draw_back import DrawBack
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.home.find_left_about import FindLeftAbout
@@ -27,8 +27,8 @@ def leave_object(toolbox: Toolbox, about: HeldObject) -> Behaviour:
         about: The object, and where the hand has it.
     """
     known: list[Behaviour] = [
-        Given("what it is about", _HELD, about),
-        Given("that it stands", _TOUCHED, True),
+        WritePort("what it is about", _HELD, about),
+        WritePort("that it stands", _TOUCHED, True),
     ]
     return _left(f"leave the {about.name}", known, toolbox)
 

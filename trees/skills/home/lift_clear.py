@@ -19,10 +19,11 @@ _UP_M = 0.05
 
 
 class LiftClear(PlannedMotionLeaf):
-    """Straight up, when a cancelled task left what is held on furniture or just above it.
+    """Lift a held object straight up, if it stands on furniture or is just above it.
 
-    From there no other way can be planned: it begins in contact. So does that of a hand which feels something
-    of which nobody knows where it ends.
+    A cancelled task may have left it there. Any other motion from there would begin in contact, and so cannot
+    be planned. The same holds for a hand that feels something between its fingers that is not in the planning
+    scene.
     """
 
     INPUT_PORTS = ports()

@@ -8,11 +8,14 @@ import numpy as np
 
 from kinematics.ik.gaze import gaze_joints
 from trees.nodes.ports import ports
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 
 
-class LookAtHands(Aim):
-    """Turn the head, and nothing else, to between the hands: the trunk stays among what is not known."""
+class LookAtHands(AimingLeaf):
+    """Turn the head to between the hands, and move nothing else.
+
+    What is around the trunk is not known yet, so it must not move.
+    """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

@@ -14,7 +14,7 @@ from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of, words_for
 from trees.events import Said
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
@@ -32,13 +32,13 @@ that was asked for, the last of these, and the one ahead after they have lost wh
 
 
 class Detect(LookLeaf):
-    """Fuse a few frames into the world model, and choose the object that the task means.
+    """Take a look, update the world model with it, and choose the object that the task means.
 
-    Everything believed counts, also what is out of view now. Of a task that means several objects the
-    nearest becomes the target; the names of the others are put out as well. Fails when it is not seen,
-    when several fit (the failure's ``choices`` list them), and when the furniture that it stands on
-    is not known: a motion past a table that was not seen would hit it. A search looks from gaze to gaze:
-    that it is not seen from one of them is an answer.
+    Everything that the robot believes to be there counts, also what is out of view now. When the task means
+    several objects, the nearest becomes the target, and the names of the others are written as well. It fails
+    when nothing that fits is seen, when several things fit (the failure's ``choices`` name them), and when
+    the furniture below the target is not known, since a motion would hit a table that was not seen. A search
+    looks in several directions; that one look does not show the object is an answer, not a failure.
     """
 
     ASKS = True
@@ -99,14 +99,12 @@ class Detect(LookLeaf):
         grounding = ground(task.object, around, source, count)
         more_to_come = self.part in ("first", "side")
         if more_to_come and self._unsure(grounding, compares(task.object, count), seen):
-            return Failure.postcondition(
-                f"looking whether there is more than this {task.object}", survey=True
-            )
+            message = f"looking whether there is more than this {task.object}"
+            return Failure.postcondition(message).because(Reason.MORE_LOOKS_NEEDED)
         match grounding:
-            case Missing(message) if self.part == "last":
-                return Failure.postcondition(message, seen=_words(seen), lost=True)
             case Missing(message):
-                return Failure.postcondition(message, seen=_words(seen))
+                reason = Reason.LOST_FROM_VIEW if self.part == "last" else Reason.NOT_SEEN
+                return Failure.postcondition(message, seen=_words(seen)).because(reason)
             case Ambiguous(_, choices) as unclear:
                 unseen = sum(choice.name not in world.sightings for choice in choices)
                 return which_is_meant(unclear, unseen=unseen)
@@ -144,11 +142,11 @@ class Detect(LookLeaf):
         several = self.part in ("last", "again")
         estimate = world.sightings.get(name) if several else seen.get(name)
         if estimate is None:
-            return Failure.postcondition(
-                f"the {words} was seen before, but is not in view now", seen=_words(seen)
-            )
+            message = f"the {words} was seen before, but is not in view now"
+            return Failure.postcondition(message, seen=_words(seen)).because(Reason.NOT_SEEN)
         if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
-            return Failure.postcondition(f"what the {words} stands on is not seen", seen=_words(seen))
+            message = f"what the {words} stands on is not seen"
+            return Failure.postcondition(message, seen=_words(seen)).because(Reason.NOT_SEEN)
         self._set_output("others", names[1:])
         return Target(
             name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
@@ -157,17 +155,18 @@ class Detect(LookLeaf):
 
 def wants_survey(failure: Failure) -> bool:
     """Tell whether a look failed only because others are needed to compare."""
-    return bool(failure.root.numbers.get("survey"))
+    return failure.root.reason is Reason.MORE_LOOKS_NEEDED
 
 
 def is_sure(failure: Failure) -> bool:
     """Tell whether this task has seen everything that it asks about: the rest may be gone by now."""
-    return not failure.root.numbers.get("unseen")
+    choice = failure.root.open_choice
+    return choice is None or choice.unseen == 0
 
 
 def lost(failure: Failure) -> bool:
     """Tell whether looks to the sides showed nothing any more of what they were to be compared with."""
-    return bool(failure.root.numbers.get("lost"))
+    return failure.root.reason is Reason.LOST_FROM_VIEW
 
 
 def _words(seen: Mapping[str, ObjectEstimate]) -> str:

@@ -13,7 +13,7 @@ from trees.skills.looking.hand_ways import UnseenPlaces, unseen_below, unseen_on
 
 
 class FindUnseen(Leaf):
-    """Find what is unseen below the ways of all hands that move, on whatever has a top."""
+    """Find the places on tops that any moving hand will pass over and that no look has shown."""
 
     INPUT_PORTS = ports(reach=Step)
     OUTPUT_PORTS = ports(unseen=UnseenPlaces)
@@ -34,7 +34,7 @@ class FindUnseen(Leaf):
 
 
 class FindUnseenOnWay(FindUnseen):
-    """Find what is unseen below the way of the hand that grasps, on what its target stands on."""
+    """The same, for the hand that grasps alone, and on the furniture that its target stands on."""
 
     INPUT_PORTS = ports(target=Target, grasp=Grasp, reach=Step)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from kinematics.ik.pointing import elbow_frame
+from kinematics.ik.arm_frames import elbow_frame
 from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene

@@ -33,7 +33,7 @@ _MOVED_M = 0.02
 
 @dataclass(frozen=True, slots=True, eq=False)
 class UnseenPlaces(Sealed):
-    """Where something could stand unseen under a hand.
+    """Places under the path of a hand that no look has shown, so that something may stand there.
 
     Attributes:
         points: Just above tops, odometry frame, shape (n, 3); none when all was looked at.

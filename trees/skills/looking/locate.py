@@ -13,7 +13,7 @@ from trees.beliefs.grounding.people import compares_people
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -28,7 +28,7 @@ _CONFIDENCE = 0.5
 class Locate(LookAround):
     """Look once, and find the object, piece of furniture or person that the task is aimed at.
 
-    A search looks from many sides: that it is not seen from one of them is an answer.
+    A search looks in several directions; that one look does not show it is an answer, not a failure.
     """
 
     ASKS = True
@@ -61,7 +61,8 @@ class Locate(LookAround):
         slot, aim = slot_of(task, self._slots), aim_of(task, self._slots)
         somebody = aims_at_person(task, slot)
         if not self._settles and _compares(aim, somebody):
-            return Failure.postcondition(f"looking whether there is more than this {aim}", survey=True)
+            message = f"looking whether there is more than this {aim}"
+            return Failure.postcondition(message).because(Reason.MORE_LOOKS_NEEDED)
         around = self.around()
         if isinstance(task, FindTask) and slot == "object":
             there = self._where_it_is_said_to_be(task, around)
@@ -88,7 +89,8 @@ class Locate(LookAround):
             return aim
         match ground(aim, around, source):
             case Missing(message, had) if had:
-                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+                known = kinds_in(thing.name for thing in around.things)
+                return Failure.postcondition(message, seen=known).because(Reason.NOT_SEEN)
             case Found(names):
                 return exactly(names[0])
             case _:

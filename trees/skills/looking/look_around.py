@@ -16,13 +16,13 @@ from trees.skills.looking.look_leaf import LookLeaf, View
 
 
 class LookAround(LookLeaf):
-    """Gathers a look, folds it into the world model, and hands on what was seen.
+    """A leaf that takes a look, updates the world model with it, and judges what was seen.
 
     Attributes:
-        keeping: Whether what an earlier look showed stays, though this one does not show it: nothing has
-            moved, and what is at the picture's edge or half hidden may be overlooked.
-        LOOKING_ON: Whether it goes with other looks between which nothing moves: a second thing of a kind
-            and colour is another one then, and not the first one that was moved.
+        keeping: Whether things that this look does not show stay in the world model. They do when nothing has
+            moved, since what is half hidden or at the edge of the picture may be overlooked.
+        LOOKING_ON: Whether the look is one of several between which nothing moves. A second thing of the same
+            kind and colour is then another thing, and not the first one in a new place.
     """
 
     LOOKING_ON: ClassVar[bool] = False

@@ -8,13 +8,14 @@ from kinematics.arrays import Array
 from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.ik.gaze import gaze_joints
 from kinematics.model.robot_description import RobotDescription
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.move import MoveRequest
 from trees.beliefs.sight.sight import middle_of_most
 from trees.failures import Failure
 from trees.nodes.ports import ports
 from trees.policy import Gaze
 from trees.port_values import Target
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.hand_ways import UnseenPlaces
 from trees.toolbox import Toolbox
 
@@ -24,8 +25,8 @@ _BEHIND_M = 0.02
 """A pelvis that is nearer than this to where it is at home is left where it is."""
 
 
-class LookAt(Aim):
-    """Turn the head to a gaze, leaning over or drawing back if it says so."""
+class LookAt(AimingLeaf):
+    """Turn the head to a gaze; if the gaze says so, the trunk leans or turns and the pelvis draws back."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -43,7 +44,7 @@ class LookAt(Aim):
         model, motion = self.toolbox.model, self.toolbox.motion
         if model.description.welded:
             return (0.0, 0.0, 0.0)
-        home, now = model.home_over(motion.stance()), motion.reference()
+        home, now = StandingRobot.of(model, motion.stance()).q_home, motion.reference()
         ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
         behind_m = float(ahead @ (home[:3] - now[:3]))
         if not self.gaze.back_m and behind_m <= _BEHIND_M:
@@ -89,8 +90,8 @@ def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
     return head if gaze is None else gaze.joints
 
 
-class LookAtTarget(Aim):
-    """Turn the head so that the target is in the middle of the picture, in the hand or where it was seen."""
+class LookAtTarget(AimingLeaf):
+    """Turn the head so that the target is in the middle of the picture, where it was seen or in the hand."""
 
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
@@ -105,8 +106,8 @@ class LookAtTarget(Aim):
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])
 
 
-class LookAtUnseen(Aim):
-    """Look where a hand is to go and nobody has looked, leaning over where the head alone does not see it."""
+class LookAtUnseen(AimingLeaf):
+    """Look at places that a hand is to pass over and nobody has seen, leaning over where it must."""
 
     INPUT_PORTS = ports(unseen=UnseenPlaces)
     OUTPUT_PORTS = ports()

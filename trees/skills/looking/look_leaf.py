@@ -16,14 +16,19 @@ from trees.nodes.leaf import RUNNING, Leaf
 
 @dataclass(frozen=True, slots=True)
 class View(Sealed):
-    """One picture and where it was taken from: ``odom_T_camera`` at its stamp, shape (4, 4)."""
+    """One picture, and where it was taken from.
+
+    Attributes:
+        odom_T_camera: Pose of the camera when the picture was taken, shape (4, 4).
+        frame: What the detector has found in the picture.
+    """
 
     odom_T_camera: Transform
     frame: PerceptionFrame
 
 
 class GatheringLeaf(Leaf):
-    """Gathers frames whose pictures were taken after its start, each once, with the camera's pose then."""
+    """A leaf that gathers pictures taken after its start, each once, with the camera's pose at that time."""
 
     _views: list[View]
 
@@ -44,7 +49,7 @@ class GatheringLeaf(Leaf):
 
 
 class LookLeaf(GatheringLeaf):
-    """Gathers a look's worth of frames, and judges them."""
+    """A leaf that gathers as many pictures as a look needs, and then judges them together."""
 
     def judge(self, views: list[View]) -> Status | Failure:
         """With enough frames gathered: what follows from them."""

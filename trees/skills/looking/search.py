@@ -11,7 +11,7 @@ from kinematics.model.robot_description import HANDS
 from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.looking.detect import Detect, Part, is_sure, lost, wants_survey
 from trees.skills.looking.look_at import LookAt
@@ -38,6 +38,7 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
 
+@judgement
 def as_needed(look: Behaviour, failure: Failure | None) -> bool:
     """The looks to both sides when they are asked for, one ahead when they lost it, the others when not."""
     part = next(leaf.part for leaf in look.children if isinstance(leaf, Detect))
@@ -56,6 +57,7 @@ def search_from_home_too(toolbox: Toolbox) -> Alternatives:
     return ways
 
 
+@judgement
 def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
     """A way that begins by going home, only where the arms are elsewhere; any other always."""
     home = next((leaf for leaf in way.children if isinstance(leaf, GoHome)), None)
@@ -75,6 +77,7 @@ def _look(gaze: Gaze, toolbox: Toolbox, part: Part) -> Behaviour:
     return Sequence(f"look {gaze.name}", memory=True, children=children)
 
 
+@judgement
 def looking_from_home_is_useless(failure: Failure) -> bool:
     """The same, unless arms may have hidden that one of the several is not there any more."""
     return looking_elsewhere_is_useless(failure) and (defect(failure) or is_sure(failure))

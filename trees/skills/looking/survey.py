@@ -17,7 +17,7 @@ from trees.toolbox import Toolbox
 
 
 class Survey(LookAround):
-    """One more look; what was seen is in the world model, and its confidence is noted."""
+    """Take one more look, update the world model, and note how sure the detector is of each thing."""
 
     INPUT_PORTS = ports(sightings=PortInformation(dict, default_value={}))
     OUTPUT_PORTS = ports(sightings_now=dict)

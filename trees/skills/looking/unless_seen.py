@@ -10,7 +10,7 @@ from trees.skills.looking.hand_ways import UnseenPlaces
 
 
 class UnlessSeen(Skipping):
-    """Ticks its child when a hand is to go over what nobody has looked at; otherwise succeeds at once."""
+    """Ticks its child if a hand is to pass over places that no look has shown; otherwise succeeds at once."""
 
     INPUT_PORTS = ports(unseen=UnseenPlaces)
     OUTPUT_PORTS = ports()

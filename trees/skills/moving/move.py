@@ -11,13 +11,13 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose, wrapped
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering, StretchSteering, TurnSteering, VelocitySteering
-from kinematics.walking.route.room import WalkingRoom
-from kinematics.walking.route.stopping import stopping_distance_m
-from trees.failures import Failure, Number
+from kinematics.walking.route.room import WalkingRoom, stopping_distance_m
+from trees.failures import Failure, Number, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import body_pose, feet_pose
+from trees.skills.moving.settings import MoveSettings
 from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.walking_leaf import WalkingLeaf
 from trees.skills.walking.walking_room import walking_room
@@ -34,11 +34,12 @@ _WENT_M, _WENT_SHARE = 0.05, 0.05
 
 
 class Move(WalkingLeaf):
-    """Walk at the task's velocity for its time or distance, and stop before anything that is in the way.
+    """Walk at the velocity of the task, for its time or distance, and stop before an obstacle.
 
-    A velocity beyond the limits is refused, never lowered. A turn on the spot for a time is one by the angle
-    that comes of it, which is measured: soles slip. One for which the hands, or what they hold, have no room
-    is infeasible: a step away helps.
+    A velocity beyond the robot's limits is refused, never lowered. A turn on the spot for some time is
+    carried out as a turn by the angle that follows from it, and the angle is measured, since soles slip. A
+    turn for which the hands, or what they hold, have no room is infeasible; from a step away it may be
+    possible.
     """
 
     INPUT_PORTS = ports(task=MoveTask, stepped_m=optional(float))
@@ -69,7 +70,8 @@ class Move(WalkingLeaf):
         toolbox, task = self.toolbox, self._task
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None and (beyond := self._beyond_limits(settings)) is not None:
             return beyond
         blocked = self._blocked(settings)
@@ -120,7 +122,7 @@ class Move(WalkingLeaf):
             return task.duration_s
         if task.distance_m is not None and task.linear_m_s != 0.0:
             return 2.0 * abs(task.distance_m / task.linear_m_s) + 10.0
-        return self.toolbox.policy.move_s
+        return self.toolbox.policy.of(MoveSettings).move_s
 
     @property
     def _turn_rad(self) -> float:
@@ -152,10 +154,10 @@ class Move(WalkingLeaf):
     def _beyond_limits(self, settings: WalkingSettings) -> Failure | None:
         policy, task = self.toolbox.policy, self._task
         fastest_m_s = min(
-            policy.fastest_m_s,
+            policy.of(MoveSettings).fastest_m_s,
             (settings.forward_m if task.linear_m_s > 0.0 else settings.backward_m) / settings.step_s,
         )
-        fastest_rad_s = min(policy.fastest_rad_s, settings.turn_rad / settings.step_s)
+        fastest_rad_s = min(policy.of(MoveSettings).fastest_rad_s, settings.turn_rad / settings.step_s)
         for what, unit, value, limit in (
             ("forward speed", "m/s", task.linear_m_s, fastest_m_s),
             ("turning speed", "rad/s", task.angular_rad_s, fastest_rad_s),
@@ -197,7 +199,9 @@ class Move(WalkingLeaf):
     def _no_room_to_turn(self, room: WalkingRoom, points: NDArray[np.float64]) -> Failure | None:
         turn_rad = self._turn_rad or self._task.angular_rad_s * self._duration_s
         part = room.turn_meets(points, max(-math.tau, min(turn_rad, math.tau)))
-        return None if part is None else Failure.infeasible(f"there is no room to turn for the {part}")
+        if part is None:
+            return None
+        return Failure.infeasible(f"there is no room to turn for the {part}").because(Reason.NO_ROOM)
 
     def _measure(self) -> None:
         now = body_pose(self.toolbox)

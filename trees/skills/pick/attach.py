@@ -14,11 +14,15 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.port_values import Step, Target
-from trees.world_model import Origin
+from trees.world_model import FormerPlace
 
 
 class Attach(Leaf):
-    """Move the target from the world into the hand, and put the lift before the scene that results."""
+    """Attach the target to the hand in the planning scene.
+
+    The lift is written once more, with the scene in which the hand holds the target, for the checker to judge
+    it there.
+    """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target, lift=Step)
     OUTPUT_PORTS = ports(held_lift=Step)
@@ -43,7 +47,7 @@ class Attach(Leaf):
             world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         )
         if support is not None:
-            world.note_taken(target.name, Origin(support.name, before.world_T_object))
+            world.note_taken(target.name, FormerPlace(support.name, before.world_T_object))
         held_lift = replace(lift, scene=world.scene, world_version=world.scene.version)
         self._set_output("held_lift", held_lift)
         return DONE

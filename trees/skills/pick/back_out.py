@@ -17,10 +17,10 @@ _BESIDE_M = 0.03
 
 
 class BackOut(PlannedMotionLeaf):
-    """Retreat straight back along the approach that was begun, to the pre-grasp pose.
+    """Move the hand straight back along the approach that it has begun, to the pre-grasp pose.
 
-    The target is left out of the scene: it is no longer where it was believed, and the way back is
-    the way that the hand came.
+    The target is left out of the scene for this motion: it is no longer where it was believed to be, and the
+    hand goes back the way it came.
     """
 
     INPUT_PORTS = ports(grasp=optional(Grasp), approach=optional(Step), target=optional(Target))

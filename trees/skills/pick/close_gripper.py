@@ -14,7 +14,10 @@ from trees.nodes.ports import ports
 
 
 class CloseGripper(MotionLeaf):
-    """Close the hand of the grasp until something resists; it goes on pressing afterwards."""
+    """Close the hand of the grasp until something resists, and keep pressing.
+
+    Whether it holds the target is measured by ``VerifyHold``.
+    """
 
     INPUT_PORTS = ports(grasp=Grasp)
     OUTPUT_PORTS = ports()

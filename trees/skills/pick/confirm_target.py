@@ -12,14 +12,15 @@ from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.skills.looking.look_leaf import LookLeaf, View, estimates_of
+from trees.skills.pick.settings import PickSettings
 
 
 class ConfirmTarget(LookLeaf):
-    """Measure that the target still is where the grasp was planned.
+    """Look once more before the hand closes in, and measure that the target is where the grasp was planned.
 
-    A target that cannot be seen from here, because a hand is in the way or it is out of view, is
-    taken to be where it was: the grip decides. One that should be visible and is not has gone.
-    The world model stays as it is, so that the checked approach stays valid.
+    A target that cannot be seen from here, because a hand hides it or it is out of view, is taken to be where
+    it was; whether the hand holds it shows later. A target that should be visible and is not has gone. The
+    world model stays as it is, so that the checked approach stays valid.
     """
 
     INPUT_PORTS = ports(target=Target)
@@ -42,11 +43,11 @@ class ConfirmTarget(LookLeaf):
         if found is not None:
             moved_m = found[1]
             self.measured(moved_m=moved_m)
-            if moved_m > policy.moved_tolerance_m:
+            if moved_m > policy.of(PickSettings).moved_tolerance_m:
                 return Failure.postcondition(
                     f"the {target.name} is not where it was",
                     moved_m=moved_m,
-                    tolerance_m=policy.moved_tolerance_m,
+                    tolerance_m=policy.of(PickSettings).moved_tolerance_m,
                 )
             self.feedback_message = f"seen {moved_m * 1000:.0f} mm from where it was planned for"
             return DONE

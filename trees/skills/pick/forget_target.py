@@ -12,9 +12,9 @@ from trees.port_values import Target
 
 
 class ForgetTarget(Leaf):
-    """Take the target out of the world model: a look that should have shown it did not.
+    """Take the target out of the world model, after a look that should have shown it and did not.
 
-    What is found by the search that follows would count as a second one beside it.
+    Otherwise the search that follows would take what it finds for a second object beside the target.
     """
 
     INPUT_PORTS = ports(target=optional(Target))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.beliefs.grounding.grounding import is_called
+from trees.beliefs.grounding.furniture_called import is_called
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
@@ -17,12 +17,12 @@ from trees.tasks import Destination, ObjectDescription, PickTask
 
 
 class HandForIt(Leaf):
-    """What is meant is in a hand already, or a hand is free for it; which of the two is written.
+    """Find out whether a hand already holds what is to be picked up, or else whether a hand is free for it.
 
-    It fails at once, as infeasible, when it is in the other hand than the one that was named, and when
-    there is something else to be picked up and no hand is free for it. A description that compares
-    things ("the other cup") means nothing that is held; one that says where it is means what was taken from
-    there, as after a pick that was cancelled; one that also fits something that stands about means that.
+    It fails as infeasible when the other hand than the one that was named holds it, and when no hand is free
+    for it. Whether the object in a hand is meant depends on the description. One that compares things ("the
+    other cup") does not mean it. One that says where the object is means it if it was taken from there, as
+    after a cancelled pick. One that also fits something that stands about means that thing.
     """
 
     INPUT_PORTS = ports(task=PickTask)

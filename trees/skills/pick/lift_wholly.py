@@ -15,15 +15,17 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.readings.held import held_objects
+from trees.skills.pick.settings import PickSettings
 
 _STILL_THERE_M = 0.15
 """Nearer than this, horizontally, to where it stood, a thing has not been carried away from there."""
 
 
 class LiftWholly(PlannedMotionLeaf):
-    """Straight up for the rest of a lift, while the object is above where it was taken; else no motion.
+    """Finish the lift of an object that a hand already held, if a cancel has stopped the lift.
 
-    What this task itself picked up was lifted, and its lift was verified.
+    The hand moves straight up as far as the lift still goes, if the object is still above where it was taken.
+    An object that was carried away, or that this task has picked up and lifted itself, is not moved.
     """
 
     INPUT_PORTS = ports(in_hand=bool, target=Target)
@@ -43,7 +45,7 @@ class LiftWholly(PlannedMotionLeaf):
         """What is missing of the lift."""
         toolbox, target = self.toolbox, self.get_input("target")
         rise_m = self._rise_m()
-        if rise_m is None or rise_m >= toolbox.policy.lifted_min_m:
+        if rise_m is None or rise_m >= toolbox.policy.of(PickSettings).lifted_min_m:
             return None
         held = next(one for one in held_objects(toolbox) if one.name == target.name)
         support = toolbox.world.taken_from[target.name].support
@@ -63,7 +65,7 @@ class LiftWholly(PlannedMotionLeaf):
         ended = super().step()
         if ended is not DONE:
             return ended
-        rise_m, least_m = self._rise_m(), self.toolbox.policy.lifted_min_m
+        rise_m, least_m = self._rise_m(), self.toolbox.policy.of(PickSettings).lifted_min_m
         if rise_m is not None and rise_m < least_m:
             name = self.get_input("target").name
             return Failure.postcondition(f"the {name} has not risen enough", needed_m=least_m, lift_m=rise_m)

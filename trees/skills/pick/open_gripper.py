@@ -17,7 +17,7 @@ _OPEN_SHARE = 0.9
 
 
 class OpenGripper(MotionLeaf):
-    """Open the hand of the grasp fully."""
+    """Open the hand that the grasp is planned for, as far as it goes."""
 
     INPUT_PORTS = ports(grasp=Grasp)
     OUTPUT_PORTS = ports()

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from py_trees.ports import PortInformation
 
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.requests.step import NoPlan
-from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.job_leaf import JobLeaf
-from trees.nodes.plan_failures import no_plan_failure
+from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Step, Target
 from trees.tasks import PickTask
@@ -22,8 +17,8 @@ from trees.tasks import PickTask
 _GRASPS_A_HAND = 2
 
 
-class PlanPick(JobLeaf):
-    """Have the planner choose hand and grasp, and plan reach, approach and lift from the present posture."""
+class PlanPick(PlanningLeaf[PickPlan]):
+    """Have the planner choose hand and grasp, and plan reach, approach and lift from the posture of now."""
 
     INPUT_PORTS = ports(
         task=PickTask, target=Target, tried=PortInformation(frozenset, default_value=frozenset())
@@ -39,7 +34,6 @@ class PlanPick(JobLeaf):
     def request(self) -> PickRequest:
         """Either hand, unless one is named or has failed enough; no grasp that was tried in vain."""
         toolbox, task, tried = self.toolbox, self.get_input("task"), self.get_input("tried")
-        self._world_version = toolbox.world.scene.version
         return PickRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
@@ -57,18 +51,14 @@ class PlanPick(JobLeaf):
         grippers = self.toolbox.model.description.grippers
         return frozenset(hand for hand in HANDS if grippers[hand].tcp_frame in frames)
 
-    def accept(self, answer: Any) -> Failure | None:
+    def planned(self, plan: PickPlan) -> None:
         """Write grasp and steps."""
-        if isinstance(answer, NoPlan):
-            return no_plan_failure(answer)
-        if not isinstance(answer, PickPlan):
-            raise TypeError(f"the planner answered {type(answer).__name__} to a pick")
-        self._set_output("grasp", answer.grasp)
-        for port, step in (("reach", answer.reach), ("approach", answer.approach), ("lift", answer.lift)):
-            self._set_output(port, Step.of(step, self._world_version))
-        self.feedback_message = f"{answer.grasp.hand} hand, {answer.grasp.label}"
-        self.measured(hand=answer.grasp.hand, grasp=answer.grasp.label, considered=answer.considered)
-        return None
+        self._set_output("grasp", plan.grasp)
+        self.write_step("reach", plan.reach)
+        self.write_step("approach", plan.approach)
+        self.write_step("lift", plan.lift)
+        self.feedback_message = f"{plan.grasp.hand} hand, {plan.grasp.label}"
+        self.measured(hand=plan.grasp.hand, grasp=plan.grasp.label, considered=plan.considered)
 
 
 def hands_to_try(

@@ -14,7 +14,7 @@ _DROP_M = 0.004
 
 
 class PutBack(PlannedMotionLeaf):
-    """Lower a held object straight down to the height of its grasp; nothing to do when none is held."""
+    """Lower a held object straight down to where it was grasped; without one nothing moves."""
 
     INPUT_PORTS = ports(grasp=optional(Grasp), held_lift=optional(Step))
     OUTPUT_PORTS = ports()

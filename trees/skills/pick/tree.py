@@ -12,7 +12,7 @@ from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.deadline import Deadline
-from trees.nodes.judgements import _tidying_helps, no_other_attempt_helps
+from trees.nodes.judgements import no_other_attempt_helps, tidying_helps
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import UnlessHeld
 from trees.skills.looking.find_unseen import FindUnseenOnWay
@@ -29,6 +29,7 @@ from trees.skills.pick.open_gripper import OpenGripper
 from trees.skills.pick.plan_pick import PlanPick
 from trees.skills.pick.put_back import PutBack
 from trees.skills.pick.recover import recover
+from trees.skills.pick.settings import PickSettings
 from trees.skills.pick.verify_hold import VerifyHold
 from trees.skills.pick.verify_lift import VerifyLift
 from trees.toolbox import Toolbox
@@ -54,12 +55,16 @@ def pick(toolbox: Toolbox) -> Behaviour:
 
 def _fetched(toolbox: Toolbox) -> CleanUp:
     attempts = Retry(
-        "attempts", _attempt(toolbox), recover(toolbox), toolbox.policy.pick_attempts, no_other_attempt_helps
+        "attempts",
+        _attempt(toolbox),
+        recover(toolbox),
+        toolbox.policy.of(PickSettings).pick_attempts,
+        no_other_attempt_helps,
     )
     main = _sequence("pick up", search_from_home_too(toolbox), attempts)
     main.transparent = True
     timed = Deadline("in time", main, toolbox.policy.task_timeout_s, toolbox.clock, toolbox.pauses)
-    return CleanUp("pick", timed, _give_up(toolbox), worth_it=_tidying_helps)
+    return CleanUp("pick", timed, _give_up(toolbox), worth_it=tidying_helps)
 
 
 class _Sequence(Sequence):

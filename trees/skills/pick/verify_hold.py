@@ -10,10 +10,11 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.ports import ports
 from trees.skills.pick.grip import grip_failure
+from trees.skills.pick.settings import PickSettings
 
 
 class VerifyHold(Leaf):
-    """Judge the gripper's opening and effort once the fingers have settled."""
+    """Measure, by the gripper's opening and effort, that the hand holds the target before it is lifted."""
 
     INPUT_PORTS = ports(grasp=Grasp)
     OUTPUT_PORTS = ports()
@@ -28,10 +29,10 @@ class VerifyHold(Leaf):
 
     def step(self) -> Status | Failure:
         """Wait, then judge."""
-        if self.elapsed_s < self.toolbox.policy.grasp_settle_s:
+        if self.elapsed_s < self.toolbox.policy.of(PickSettings).grasp_settle_s:
             return RUNNING
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
         self.measured(opening_m=reading.opening_m, effort_nm=reading.effort_nm, holding=reading.holding)
         self.feedback_message = f"holding, {reading.opening_m * 1000:.0f} mm, {reading.effort_nm:.1f} Nm"
-        return grip_failure(reading, grasp, self.toolbox.policy.opening_tolerance_m) or DONE
+        return grip_failure(reading, grasp, self.toolbox.policy.of(PickSettings).opening_tolerance_m) or DONE

@@ -20,6 +20,7 @@ from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.skills.looking.look_leaf import GatheringLeaf, View, estimates_of
 from trees.skills.pick.grip import grip_failure
+from trees.skills.pick.settings import PickSettings
 
 _READINGS_APART_S = 0.002
 """Readings are looked for so often; nobody makes them faster."""
@@ -28,11 +29,11 @@ _READINGS_APART_S = 0.002
 class VerifyLift(GatheringLeaf):
     """Watch gripper and camera while the object is held in the air.
 
-    The gripper must say "holding", at the object's size, all the time; nothing outweighs that. What the
-    camera sees must agree: the object has risen, is in the hand, and does not move in it. When it
-    cannot be seen, the gripper has to hold on for longer, and the evidence says that it was not seen.
-    Meanwhile the efforts of the arm weigh it: the motions that follow are planned, checked and carried
-    out with that mass in the hand.
+    The gripper must measure all the time that it holds something of the object's size; nothing the camera
+    sees makes up for that. The camera must agree as far as it sees the object: it has risen, is in the hand,
+    and does not move there. When it cannot be seen, the gripper has to hold on for longer, and the evidence
+    says that it was not seen. Meanwhile the mass of the object is found from the torques of the arm; later
+    motions are planned, checked and carried out with that mass in the hand.
     """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target)
@@ -50,8 +51,8 @@ class VerifyLift(GatheringLeaf):
     @property
     def deadline_s(self) -> float:
         """The longest hold that the policy may ask for, and the contract's allowance."""
-        policy = self.toolbox.policy
-        return policy.hold_s * policy.unseen_hold_factor + self.CONTRACT.deadline_s
+        settings = self.toolbox.policy.of(PickSettings)
+        return settings.hold_s * settings.unseen_hold_factor + self.CONTRACT.deadline_s
 
     def begin(self) -> None:
         """Start to watch."""
@@ -66,14 +67,14 @@ class VerifyLift(GatheringLeaf):
             return lost
         self._weigh()
         self.gather()
-        policy = self.toolbox.policy
-        if self.elapsed_s < policy.hold_s:
-            self.feedback_message = f"held for {self.elapsed_s:.1f} of {policy.hold_s:.1f} s"
+        settings = self.toolbox.policy.of(PickSettings)
+        if self.elapsed_s < settings.hold_s:
+            self.feedback_message = f"held for {self.elapsed_s:.1f} of {settings.hold_s:.1f} s"
             return RUNNING
         seen = self._seen()
         if isinstance(seen, Failure):
             return seen
-        if not seen and self.elapsed_s < policy.hold_s * policy.unseen_hold_factor:
+        if not seen and self.elapsed_s < settings.hold_s * settings.unseen_hold_factor:
             self.feedback_message = "not seen; held for longer instead"
             return RUNNING
         if self._lost_since_s is not None:
@@ -101,7 +102,7 @@ class VerifyLift(GatheringLeaf):
     def _lost_grip(self) -> Failure | None:
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
-        failure = grip_failure(reading, grasp, self.toolbox.policy.opening_tolerance_m)
+        failure = grip_failure(reading, grasp, self.toolbox.policy.of(PickSettings).opening_tolerance_m)
         if failure is None:
             self._lost_since_s = None
             return None
@@ -117,6 +118,7 @@ class VerifyLift(GatheringLeaf):
     def _seen(self) -> dict[str, float] | Failure:
         """What the pictures say; empty when the object is not to be seen in them."""
         target, body, policy = self.get_input("target"), self._body(), self.toolbox.policy
+        settings = policy.of(PickSettings)
         half = len(self._views) // 2
         if half == 0:
             return {}
@@ -134,15 +136,22 @@ class VerifyLift(GatheringLeaf):
                 tolerance_m=policy.in_hand_tolerance_m,
                 **numbers,
             )
-        if rise_m < policy.lifted_min_m:
+        if rise_m < settings.lifted_min_m:
             return Failure.postcondition(
-                f"the {target.name} has not risen enough", None, needed_m=policy.lifted_min_m, **numbers
+                f"the {target.name} has not risen enough",
+                None,
+                needed_m=settings.lifted_min_m,
+                **numbers,
             )
         if early is not None:
-            numbers["slip_m"] = float(np.linalg.norm(late - early))
-            if numbers["slip_m"] > policy.slip_max_m:
+            slip_m = float(np.linalg.norm(late - early))
+            numbers |= {"slip_m": slip_m}
+            if slip_m > settings.slip_max_m:
                 return Failure.postcondition(
-                    f"the {target.name} is slipping", None, tolerance_m=policy.slip_max_m, **numbers
+                    f"the {target.name} is slipping",
+                    None,
+                    tolerance_m=settings.slip_max_m,
+                    **numbers,
                 )
         return numbers
 

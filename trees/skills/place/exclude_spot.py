@@ -13,7 +13,7 @@ from trees.port_values import Placement
 
 
 class ExcludeSpot(Leaf):
-    """Add the spot of the last attempt to those that are blocked."""
+    """Note after a failed attempt that its spot is not to be tried again."""
 
     INPUT_PORTS = ports(
         placement=optional(Placement), blocked=PortInformation(frozenset, default_value=frozenset())

@@ -21,7 +21,7 @@ from trees.tasks import PlaceTask
 
 
 class FindSpots(LookAround):
-    """Look, and list free spots for the held object where the task wants it."""
+    """Look, and write the free spots where the task wants the held object, the best one first."""
 
     INPUT_PORTS = ports(task=PlaceTask, held=HeldObject)
     OUTPUT_PORTS = ports(spots=tuple)

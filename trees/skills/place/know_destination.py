@@ -15,7 +15,7 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -26,11 +26,12 @@ from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, PlaceTask, Pu
 
 
 class KnowDestination(LookAround):
-    """Look once, and find what the object is put on, beside or into: a question about it moves no hand.
+    """Look once, before anything is picked up, to find what the object goes onto, next to or into.
 
-    What is to be moved does not count as what it goes to. Where that cannot be told apart yet, and of several
-    objects, nothing is said before they are in a hand. A drawer or door is left to those who open it, and a
-    room of the map to those who get there.
+    If that is not clear, the person is asked before a hand has moved. The object itself is never taken for
+    its own destination. Some destinations are left for later: that of several objects, or one that cannot be
+    told apart yet, until the object is in a hand; drawers and doors, which have to be opened; and rooms of
+    the map, where the robot has to go.
     """
 
     ASKS = True
@@ -95,7 +96,8 @@ class KnowDestination(LookAround):
             case Ambiguous() as unclear:
                 return which_is_meant(unclear, "to")
             case Missing(message):
-                return Failure.postcondition(message, seen=kinds_in(thing.name for thing in around.things))
+                known = kinds_in(thing.name for thing in around.things)
+                return Failure.postcondition(message, seen=known).because(Reason.NOT_SEEN)
             case Found(names):
                 return self._too_wide(around.last_acted_on, names[0])
 

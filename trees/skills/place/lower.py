@@ -20,6 +20,7 @@ from trees.nodes.ports import ports
 from trees.port_values import CheckedStep, Placement
 from trees.readings.touch_watch import TouchWatch
 from trees.skills.place.felt_support import lowered_supports
+from trees.skills.place.settings import PlaceSettings
 
 # Two readings in a row: one may be a jolt.
 _READINGS = 2
@@ -60,7 +61,7 @@ class Lower(MotionLeaf):
 
     def step(self) -> Status | Failure:
         """Feel the hand at rest, then move and feel."""
-        if self.elapsed_s < self.toolbox.policy.rest_s:
+        if self.elapsed_s < self.toolbox.policy.of(PlaceSettings).rest_s:
             self._watch.feel_rest()
             return RUNNING
         if self._touched_s is not None:
@@ -75,7 +76,7 @@ class Lower(MotionLeaf):
             return ended
         trajectory = None if self._handle.finished else self.get_input("checked").checked.trajectory
         lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
-        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
+        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.of(PlaceSettings).touch_n else 0
         self.feedback_message = f"{self._handle.progress:.0%}, {lift_n:.1f} N"
         if self._strong >= _READINGS:
             self.measured(lift_n=lift_n)
@@ -105,11 +106,11 @@ class Lower(MotionLeaf):
         tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])
         early_m = float((tcp @ held.tcp_T_object)[2, 3] - placement.odom_T_object[2, 3])
         self.measured(above_plan_m=early_m)
-        if early_m > self.toolbox.policy.early_touch_m:
+        if early_m > self.toolbox.policy.of(PlaceSettings).early_touch_m:
             return Failure.postcondition(
                 f"something is in the way of the {held.name}",
                 above_m=early_m,
-                tolerance_m=self.toolbox.policy.early_touch_m,
+                tolerance_m=self.toolbox.policy.of(PlaceSettings).early_touch_m,
             )
         self._set_output("touched", True)
         self.feedback_message = "it stands"
@@ -117,7 +118,10 @@ class Lower(MotionLeaf):
 
 
 class LowerFurther(PlannedMotionLeaf):
-    """Go a little farther down when nothing was touched yet: the support is lower than it seemed."""
+    """Go down a little farther if the hand has not felt anything yet.
+
+    The furniture below is then lower than it was seen to be. If the object stands already, nothing moves.
+    """
 
     INPUT_PORTS = ports(held=HeldObject, placement=Placement, touched=bool)
     OUTPUT_PORTS = ports(touched_now=bool)
@@ -144,14 +148,14 @@ class LowerFurther(PlannedMotionLeaf):
             return None
         toolbox, held, placement = self.toolbox, self.get_input("held"), self.get_input("placement")
         # it gets there only if nothing carries it before: a touch ends the motion
-        comes_to_m = self._lowest_m(held) - toolbox.policy.further_m
+        comes_to_m = self._lowest_m(held) - toolbox.policy.of(PlaceSettings).further_m
         scene = lowered_supports(toolbox.world.scene, placement.touches, comes_to_m)
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=scene,
             hand=held.hand,
-            world_offset_m=(0.0, 0.0, -toolbox.policy.further_m),
+            world_offset_m=(0.0, 0.0, -toolbox.policy.of(PlaceSettings).further_m),
             concessions=touching(
                 [held.name], placement.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"
             ),
@@ -179,7 +183,7 @@ class LowerFurther(PlannedMotionLeaf):
             raise RuntimeError(f"{self.name} moves without a checked trajectory")
         trajectory = None if self._handle.finished else self._checked.trajectory
         lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
-        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.touch_n else 0
+        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.of(PlaceSettings).touch_n else 0
         if self._strong >= _READINGS:
             self._touched_s = self.elapsed_s
             if not self._handle.finished:

@@ -36,10 +36,10 @@ from trees.beliefs.scene.held_object import HeldObject
 from trees.beliefs.scene.labels import label_of
 from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.sight_of_tops import SightOfTops
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.skills.place.places_by_people import person_compared_with, spots_by_person
 from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation
-from trees.world_model import Origin
+from trees.world_model import FormerPlace
 
 # Where a hand puts things down most easily, from the point between the feet: ahead, and to its own side.
 COMFORTABLE_M = (0.48, 0.25)
@@ -65,7 +65,7 @@ def spots_for(
     odom_T_base: Transform,
     support_gap_m: float,
     sight: SightOfTops,
-    origin: Origin | None = None,
+    origin: FormerPlace | None = None,
 ) -> tuple[Spot, ...] | Failure:
     """Free spots for a held object, the best first.
 
@@ -205,7 +205,7 @@ def _surface(
         return Failure.infeasible(f"things are put on furniture, not on {with_article(named)}")
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"
-        return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects))
+        return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects)).because(Reason.NOT_SEEN)
     return min(tops, key=lambda item: (wish(item.world_T_object[:3, 3]), item.name))
 
 
@@ -217,7 +217,7 @@ def _one_surface(
         case Ambiguous() as unclear:
             return which_is_meant(unclear, slot)
         case Missing(message):
-            return Failure.postcondition(message, seen=kinds_in(scene.objects))
+            return Failure.postcondition(message, seen=kinds_in(scene.objects)).because(Reason.NOT_SEEN)
         case Found(names):
             return scene.objects[names[0]]
 
@@ -271,7 +271,7 @@ def _beside(
 
 def _back(
     held: HeldObject,
-    origin: Origin | None,
+    origin: FormerPlace | None,
     scene: PlanningScene,
     odom_T_base: Transform,
     sight: SightOfTops,

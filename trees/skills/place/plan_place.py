@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from py_trees.ports import PortInformation
 
 from kinematics.geometry import poses
-from kinematics.requests.place import PlacePlan, PlaceRequest
-from kinematics.requests.step import NoPlan
+from kinematics.requests.place import PlacePlan, PlaceRequest, Spot
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.job_leaf import JobLeaf
-from trees.nodes.plan_failures import no_plan_failure
+from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Placement, Step
 
 
-class PlanPlace(JobLeaf):
-    """Have the planner choose one of the spots, and plan transfer and lowering from the present posture."""
+class PlanPlace(PlanningLeaf[PlacePlan]):
+    """Have the planner choose one of the spots, and plan the motion to it and the way down."""
 
     INPUT_PORTS = ports(
         held=HeldObject, spots=tuple, blocked=PortInformation(frozenset, default_value=frozenset())
@@ -34,7 +29,6 @@ class PlanPlace(JobLeaf):
     def request(self) -> PlaceRequest:
         """Every spot but those that turned out to be blocked."""
         toolbox, blocked = self.toolbox, self.get_input("blocked")
-        self._world_version = toolbox.world.scene.version
         self._spots = tuple(spot for spot in self.get_input("spots") if _key(spot) not in blocked)
         return PlaceRequest(
             q_start=toolbox.motion.reference(),
@@ -46,23 +40,18 @@ class PlanPlace(JobLeaf):
             seed=int(toolbox.rng.integers(2**31)),
         )
 
-    def accept(self, answer: Any) -> Failure | None:
+    def planned(self, plan: PlacePlan) -> None:
         """Write placement and steps."""
-        if isinstance(answer, NoPlan):
-            return no_plan_failure(answer)
-        if not isinstance(answer, PlacePlan):
-            raise TypeError(f"the planner answered {type(answer).__name__} to a place")
-        spot = self._spots[answer.spot]
-        self._set_output("placement", Placement(answer.hand, answer.world_T_object, spot.touches, _key(spot)))
-        for port, step in (("transfer", answer.transfer), ("lower", answer.lower)):
-            self._set_output(port, Step.of(step, self._world_version))
-        x, y, z = (float(value) for value in answer.world_T_object[:3, 3])
+        spot = self._spots[plan.spot]
+        self._set_output("placement", Placement(plan.hand, plan.world_T_object, spot.touches, _key(spot)))
+        self.write_step("transfer", plan.transfer)
+        self.write_step("lower", plan.lower)
+        x, y, z = (float(value) for value in plan.world_T_object[:3, 3])
         self.feedback_message = f"to {x:.2f}, {y:+.2f} m"
-        yaw = poses.yaw_of(answer.world_T_object[:3, :3])
-        self.measured(spot=answer.spot, considered=answer.considered, x_m=x, y_m=y, z_m=z, yaw_rad=yaw)
-        return None
+        yaw = poses.yaw_of(plan.world_T_object[:3, :3])
+        self.measured(spot=plan.spot, considered=plan.considered, x_m=x, y_m=y, z_m=z, yaw_rad=yaw)
 
 
-def _key(spot: Any) -> tuple[float, float]:
+def _key(spot: Spot) -> tuple[float, float]:
     x, y = spot.world_T_object[:2, 3]
     return round(float(x), 3), round(float(y), 3)

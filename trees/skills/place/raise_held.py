@@ -14,7 +14,7 @@ _UP_M = 0.08
 
 
 class RaiseHeld(PlannedMotionLeaf):
-    """Straight up by a hand's breadth, when the hand still holds the object near its spot."""
+    """Lift the held object straight up by a hand's breadth if it could not be put down at its spot."""
 
     INPUT_PORTS = ports(held=HeldObject, placement=optional(Placement))
     OUTPUT_PORTS = ports()

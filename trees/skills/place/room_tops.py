@@ -7,7 +7,7 @@ from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.destination import furniture_named
 from trees.beliefs.grounding.grounding import Ambiguous, Choice
-from trees.beliefs.grounding.questions import ONE_WILL_DO, which_is_meant
+from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure
 from trees.skills.place.placement import SURFACES, is_flat, is_surface
@@ -34,4 +34,4 @@ def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
     message = f"on what in the {room} shall it be put?"
     if not choices:
         return Failure.infeasible(f"{message} nothing that things are put on was seen there")
-    return which_is_meant(Ambiguous(message, choices), "on", **{ONE_WILL_DO: True})
+    return which_is_meant(Ambiguous(message, choices), "on", one_will_do=True)

@@ -16,12 +16,13 @@ from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.skills.looking.look_leaf import LookLeaf, View, estimates_of
+from trees.skills.place.settings import PlaceSettings
 
 
 class SeeHeld(LookLeaf):
-    """Look at what the hand carries, and believe what is seen when it has shifted there.
+    """Look at the object in the hand, and correct its pose there when it has shifted.
 
-    What cannot be seen is taken to be where it was.
+    When it cannot be seen, it is taken to be where it was.
     """
 
     INPUT_PORTS = ports(held=HeldObject)
@@ -62,7 +63,7 @@ class SeeHeld(LookLeaf):
         tcp_T_object[:3, 3] = held.tcp_T_object[:3, 3] + odom_T_tcp[:3, :3].T @ shift
         shift_m = float(np.linalg.norm(shift))
         self.measured(shift_m=shift_m)
-        if shift_m <= policy.shifted_m:
+        if shift_m <= policy.of(PlaceSettings).shifted_m:
             return self._unchanged(f"{shift_m * 1000:.0f} mm from where it was")
         body = scene.attached[held.name]
         freed = scene.with_detached(held.name, expected)

@@ -10,18 +10,17 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
 from trees.leaves.go_home import GoHome
 from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import no_other_attempt_helps
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted
 from trees.nodes.wiring import rewired
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
@@ -36,6 +35,7 @@ from trees.skills.place.lower import Lower, LowerFurther
 from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.see_held import SeeHeld
+from trees.skills.place.settings import PlaceSettings
 from trees.skills.place.verify_placed import VerifyPlaced
 from trees.skills.place.where_it_goes import know_destination
 from trees.skills.tidily import tidily
@@ -52,7 +52,7 @@ def place(toolbox: Toolbox) -> Behaviour:
     ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
     either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
     either.transparent = True
-    carry: list[Behaviour] = [have_it(toolbox, know_destination(toolbox)), either]
+    carry: list[Behaviour] = [get_in_hand(toolbox, know_destination(toolbox)), either]
     children: list[Behaviour] = [
         look_over(toolbox),
         regrasping(carry, toolbox),
@@ -60,7 +60,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         GoHome("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox, toolbox.policy.placed_tolerance_m),
+        VerifyPlaced("verify placed", toolbox, toolbox.policy.of(PlaceSettings).placed_tolerance_m),
     ]
     return tidily("place", children, toolbox)
 
@@ -107,7 +107,7 @@ def bring(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour] = _find_ro
     """
     recover = _recover(toolbox, find_room)
     attempts = Retry(
-        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, _no_other_spot_helps
+        "attempts", _attempt(toolbox), recover, toolbox.policy.place_attempts, no_other_attempt_helps
     )
     children: list[Behaviour] = [
         find_room(toolbox),
@@ -139,9 +139,3 @@ def _recover(toolbox: Toolbox, find_room: Callable[[Toolbox], Behaviour]) -> Beh
         find_room(toolbox),
     ]
     return Sequence("try another spot", memory=True, children=children)
-
-
-def _no_other_spot_helps(failure: Failure, before: Failure | None) -> bool:
-    """A defect, or the planner's second no in a row."""
-    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice

@@ -24,10 +24,10 @@ _UPRIGHT_RAD = math.radians(15.0)
 
 
 class VerifyPlaced(LookAround):
-    """The object is seen near its placement, and stands.
+    """See that the object stands upright near the spot where it was put.
 
     Attributes:
-        tolerance_m: How near.
+        tolerance_m: How far from the spot it may be, in metres.
     """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, placement=Placement)

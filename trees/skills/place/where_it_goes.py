@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.skills.looking.look_at import LookAt
 from trees.skills.place.know_destination import KnowDestination
 from trees.toolbox import Toolbox
@@ -22,9 +22,10 @@ def know_destination(toolbox: Toolbox) -> Behaviour:
             KnowDestination("know destination", toolbox),
         ]
         looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
-    return Alternatives("where it goes", looks, hopeless=_cannot_go_there)
+    return Alternatives("where it goes", looks, hopeless=cannot_go_there)
 
 
-def _cannot_go_there(failure: Failure) -> bool:
+@judgement
+def cannot_go_there(failure: Failure) -> bool:
     """Several that fit, or one that things are not put on or into."""
     return looking_elsewhere_is_useless(failure) or failure.kind is FailureKind.INFEASIBLE

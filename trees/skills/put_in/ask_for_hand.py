@@ -14,7 +14,7 @@ from trees.tasks import PickTask, PutInTask
 
 
 class AskForHand(Leaf):
-    """Make the task of picking up the object with the hand that reaches past the door."""
+    """Write the task of picking up the object with the hand that can reach past the open door."""
 
     INPUT_PORTS = ports(task=PutInTask)
     OUTPUT_PORTS = ports(pick_task=PickTask)

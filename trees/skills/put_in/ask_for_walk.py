@@ -12,7 +12,7 @@ from trees.tasks import ObjectDescription, PutInTask, WalkToTask
 
 
 class AskForWalk(Leaf):
-    """Make the task of walking to what something is to be put into."""
+    """Write the task of walking to what the object is to be put into."""
 
     INPUT_PORTS = ports(task=PutInTask)
     OUTPUT_PORTS = ports(walk_task=WalkToTask)

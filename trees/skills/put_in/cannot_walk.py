@@ -11,7 +11,7 @@ from trees.nodes.ports import ports
 
 
 class CannotWalk(Leaf):
-    """Succeed for a robot that cannot walk here."""
+    """Succeed if the robot cannot walk here, and so has to do the task from where it stands."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

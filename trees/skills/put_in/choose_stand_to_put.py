@@ -12,7 +12,7 @@ from py_trees.common import Status
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
-from kinematics.ik.pointing import link_moved_by
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
 from kinematics.requests.place import PlaceRequest, Spot
@@ -38,10 +38,12 @@ _MOST_PATIENTLY = 16
 
 
 class ChooseStandToPut(ChooseStand):
-    """Ask the planner for a placing from place after place, from here first; take the first that has one.
+    """Find where to stand so that the held object can be placed behind a door.
 
-    Each is asked about quickly first, and only when none has a plan the best of them more patiently.
-    The held object is where the arm has it now. A robot that cannot walk stands where it stands.
+    The planner is asked for a placing from one place after the other, beginning here, with the object where
+    the arm has it now; the first place with a plan is taken. Each is first asked about with a short search,
+    and only if none has a plan are the best of them searched for longer. A robot that cannot walk stays where
+    it stands.
     """
 
     # beside an open door only who turns towards it reaches in with the hand on the other side

@@ -18,7 +18,7 @@ from trees.skills.looking.look_around import LookAround
 
 
 class FindBoardRoom(LookAround):
-    """Look, and list free spots for the held object near the front of the boards."""
+    """Look, and write the free spots for the held object near the front of the boards."""
 
     INPUT_PORTS = ports(held=HeldObject)
     OUTPUT_PORTS = ports(spots=tuple)

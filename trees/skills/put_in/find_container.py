@@ -32,7 +32,7 @@ _HOVER_M = 0.08
 
 
 class FindContainer(LookAround):
-    """Look, and list poses of the held object in the opening of the container, the deepest first."""
+    """Look, and write poses of the held object in the opening of the container, the deepest one first."""
 
     INPUT_PORTS = ports(task=PutInTask, held=HeldObject)
     OUTPUT_PORTS = ports(spots=tuple, place=Place)

@@ -8,7 +8,7 @@ from kinematics.requests.move import MoveRequest
 from trees.beliefs.openings.fridge_inside import FridgeInside, front_of, inside_of_fridge
 from trees.failures import Failure
 from trees.nodes.ports import ports
-from trees.skills.looking.aim_leaf import Aim
+from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_that_show
 from trees.toolbox import Toolbox
 
@@ -16,8 +16,8 @@ _BEHIND_EDGE_M = 0.10
 """Where things are put on a board."""
 
 
-class LookAtBoard(Aim):
-    """Bring the front of a board to the middle of the picture.
+class LookAtBoard(AimingLeaf):
+    """Turn the eyes so that the front of a board behind an open door is in the middle of the picture.
 
     Args:
         name: Of the node.

@@ -22,9 +22,10 @@ _INSIDE = {DRAWER: inside_of_drawer, DOOR: inside_of_fridge}
 
 
 class NotShut(LookAround):
-    """Look whether the drawer or door that the task names is open; succeeds at once for what does not open.
+    """Look, before anything is picked up, whether the drawer or door that the task names is open.
 
-    What is not seen from here is left to a later look.
+    It succeeds at once for a container that has no door or drawer. When the door or drawer is not seen from
+    here, a later look decides.
     """
 
     INPUT_PORTS = ports(task=PutInTask)

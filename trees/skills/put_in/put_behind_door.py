@@ -10,7 +10,7 @@ from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import looking_elsewhere_is_useless, no_pick_helps
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import fetched, have_it
+from trees.skills.carrying.get_in_hand import fetched, get_in_hand
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.regrasp import regrasping
 from trees.skills.carrying.take_held import IsHeld
@@ -22,6 +22,7 @@ from trees.skills.put_in.come_to_board import come_to_board
 from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.put_in.look_at_board import LookAtBoard
 from trees.skills.put_in.not_shut import NotShut
+from trees.skills.put_in.settings import PutInSettings
 from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
@@ -30,7 +31,7 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     policy = toolbox.policy
     carry: list[Behaviour] = [
-        _have_it(toolbox),
+        _get_in_hand(toolbox),
         NotShut("is it open after all", toolbox),
         come_to_board(toolbox),
         bring(toolbox, find_board_room),
@@ -41,7 +42,7 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
         BestEffort(DrawBack("draw back", toolbox)),
         GoHome("clear the view", toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox, policy.shelved_tolerance_m),
+        VerifyPlaced("verify placed", toolbox, policy.of(PutInSettings).shelved_tolerance_m),
     ]
     return tidily("put in", children, toolbox, policy.task_timeout_s + policy.walk_timeout_s)
 
@@ -67,11 +68,11 @@ def _looks(name: str, before: list[Behaviour], toolbox: Toolbox) -> Behaviour:
     return Sequence(name, memory=True, children=looks)
 
 
-def _have_it(toolbox: Toolbox) -> Behaviour:
+def _get_in_hand(toolbox: Toolbox) -> Behaviour:
     """It is in a hand already, or it is picked up: by the hand beside the hinge, if that goes.
 
     Who stands beside an open door reaches in with that hand; with the other one hardly.
     """
     fetch = fetched("fetch it with that hand", AskForHand("say which hand", toolbox), toolbox)
-    ways: list[Behaviour] = [IsHeld("is it held already", toolbox), fetch, have_it(toolbox)]
+    ways: list[Behaviour] = [IsHeld("is it held already", toolbox), fetch, get_in_hand(toolbox)]
     return Alternatives("have it", ways, hopeless=no_pick_helps)

@@ -8,15 +8,14 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure, FailureKind
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import no_other_attempt_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import have_it
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
@@ -59,10 +58,10 @@ def put_in(toolbox: Toolbox) -> Behaviour:
         Sequence("lower it in", memory=True, children=attempt),
         Sequence("try otherwise", memory=True, children=recover),
         toolbox.policy.place_attempts,
-        _nothing_else_helps,
+        no_other_attempt_helps,
     )
     carry: list[Behaviour] = [
-        have_it(toolbox, know_destination(toolbox)),
+        get_in_hand(toolbox, know_destination(toolbox)),
         _find_container(toolbox),
         NoteBystanders("note what stands about", toolbox),
         attempts,
@@ -102,8 +101,3 @@ def _find_container(toolbox: Toolbox) -> Behaviour:
     """Looks until it is seen."""
     name = "find what it goes into"
     return look_past_hands(name, lambda: FindContainer("find container", toolbox), toolbox)
-
-
-def _nothing_else_helps(failure: Failure, before: Failure | None) -> bool:
-    twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
-    return defect(failure) or bool(failure.choices) or twice

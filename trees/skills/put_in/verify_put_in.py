@@ -30,9 +30,10 @@ _INTO_M = 0.01
 
 
 class VerifyPutIn(LookAround):
-    """The hand is empty, and the object is seen inside the container, or nowhere beside it.
+    """See that the hand is empty, and that the object is inside the container.
 
-    Walls may hide it; the evidence says whether it was seen.
+    The walls may hide it; then it must not be seen anywhere beside the container, and the evidence says that
+    it was not seen.
     """
 
     INPUT_PORTS = ports(stood=dict, held=HeldObject, place=Place)

@@ -13,7 +13,7 @@ from robots.scenes.articulated import ARTICULATED_KINDS
 from trees.beliefs.grounding.destination import Place, aim_of
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
@@ -30,10 +30,13 @@ _CONFIDENCE = 0.5
 
 
 class ChooseFurniture(Leaf):
-    """The nearest top that was not looked at from nearby; small things are not seen from afar."""
+    """Choose the nearest furniture with a top that the robot has not looked at from nearby.
+
+    Small things on it are not seen from afar.
+    """
 
     ASKS = True
-    OF = "furniture"
+    NONE_LEFT = Reason.NO_FURNITURE_LEFT
     INPUT_PORTS = ports(task=object, visited_before=optional(tuple))
     OUTPUT_PORTS = ports(furniture=Place, visited=tuple)
     CONTRACT = Contract(
@@ -47,7 +50,7 @@ class ChooseFurniture(Leaf):
         toolbox = self.toolbox
         aim = aim_of(self.get_input("task"))
         if not isinstance(aim, ObjectDescription) or aim.kind == "person":
-            return Failure.postcondition("only things are looked for on furniture", none_left=self.OF)
+            return Failure.postcondition("only things are looked for on furniture").because(self.NONE_LEFT)
         body, gap_m, scene = feet_pose(toolbox), toolbox.policy.support_gap_m, toolbox.world.scene
         visited: tuple[str, ...] = self.optional("visited_before") or ()
         been = [scene.objects[name] for name in visited if name in scene.objects]
@@ -61,7 +64,8 @@ class ChooseFurniture(Leaf):
             if away_m > _NEARBY_M or abs(there.yaw_rad) > toolbox.policy.beside_rad:
                 found.append((away_m, place))
         if not found:
-            return Failure.postcondition("no furniture is left to look at from nearby", none_left=self.OF)
+            message = "no furniture is left to look at from nearby"
+            return Failure.postcondition(message).because(self.NONE_LEFT)
         place = min(found, key=lambda one: one[0])[1]
         self._set_output("furniture", place)
         self._set_output("visited", (*visited, place.name))

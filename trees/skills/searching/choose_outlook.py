@@ -17,7 +17,7 @@ from kinematics.scene.support_of import top_m
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
@@ -37,10 +37,13 @@ _CONFIDENCE = 0.5
 
 
 class ChooseOutlook(Leaf):
-    """Beside the nearest tall thing, level with it, where nobody has looked from; facing what it hides."""
+    """Choose a place beside the nearest tall thing from where the robot can see what is behind it.
+
+    Tall things that it has looked behind are left out.
+    """
 
     ASKS = True
-    OF = "outlooks"
+    NONE_LEFT = Reason.NO_OUTLOOKS_LEFT
     INPUT_PORTS = ports(hiding_before=optional(tuple))
     OUTPUT_PORTS = ports(hides=Place, outlook=Stand, hiding=tuple)
     CONTRACT = Contract(
@@ -54,7 +57,8 @@ class ChooseOutlook(Leaf):
         toolbox = self.toolbox
         room = room_if_it_walks(toolbox)
         if room is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         scene, body = toolbox.world.scene, feet_pose(toolbox)
         done: tuple[str, ...] = self.optional("hiding_before") or ()
         for piece in _tall_pieces(scene, body):
@@ -70,7 +74,7 @@ class ChooseOutlook(Leaf):
                 self._set_output("hiding", (*done, *(part.name for part in piece)))
                 self.feedback_message = f"behind the {kind_of(first.name)}"
                 return DONE
-        return Failure.postcondition("nothing tall is left to look behind", none_left=self.OF)
+        return Failure.postcondition("nothing tall is left to look behind").because(self.NONE_LEFT)
 
 
 def _tall_pieces(scene: PlanningScene, body: PlanarPose) -> list[list[SceneObject]]:

@@ -7,7 +7,7 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.grounding.regions import place_of_region
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
@@ -15,10 +15,13 @@ from trees.readings.odometry import feet_pose
 
 
 class ChooseRoom(Leaf):
-    """The nearest room in which the robot neither is nor was; what is in it is hidden by its walls."""
+    """Choose the nearest room of the map in which the robot has not looked around.
+
+    What is in a room is hidden by its walls from the other rooms.
+    """
 
     ASKS = True
-    OF = "rooms"
+    NONE_LEFT = Reason.NO_ROOMS_LEFT
     INPUT_PORTS = ports(rooms_before=optional(tuple))
     OUTPUT_PORTS = ports(room=Place, rooms=tuple)
     CONTRACT = Contract(
@@ -34,7 +37,7 @@ class ChooseRoom(Leaf):
         seen = {*(self.optional("rooms_before") or ()), *here}
         others = [place_of_region(name, region) for name, region in places.items() if name not in seen]
         if not others:
-            return Failure.postcondition("no other room is on the map", none_left=self.OF)
+            return Failure.postcondition("no other room is on the map").because(self.NONE_LEFT)
         room = min(others, key=lambda one: body.distance_m(PlanarPose.of(one.odom_T_place)))
         self._set_output("room", room)
         self._set_output("rooms", (*sorted(seen), room.name))

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.looking.locate import Locate
 from trees.skills.looking.search_place import search_place
@@ -50,6 +50,7 @@ def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternat
     return Alternatives(name, ways, looking_elsewhere_is_useless, turning_if_it_walks)
 
 
+@judgement
 def turning_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     """Turns only where the robot can."""
     turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))
@@ -86,11 +87,12 @@ def where_it_was(toolbox: Toolbox) -> Behaviour:
     return Sequence("look where it was", memory=True, children=looks)
 
 
+@judgement
 def worth_going(way: Behaviour, failure: Failure | None) -> bool:
     """Makes room only where there was none to turn; furniture and tall things while some are left."""
     choosing = [leaf for leaf in way.children if isinstance(leaf, _CHOOSING)]
     if choosing:
-        return failure is None or failure.root.numbers.get("none_left") != choosing[0].OF
+        return failure is None or failure.root.reason is not choosing[0].NONE_LEFT
     room = any(isinstance(leaf, ChangeViewpoint) and leaf.settings["way"] == "room" for leaf in way.children)
     return not room or (failure is not None and failure.root.kind is FailureKind.INFEASIBLE)
 

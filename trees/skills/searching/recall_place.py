@@ -26,10 +26,10 @@ _CONFIDENCE = 0.5
 
 
 class RecallPlace(Leaf):
-    """Take a piece of furniture, a person, or what a hand put down from the world model, without a look.
+    """Take from the world model, without a look, where a piece of furniture or a person was last seen.
 
-    It is where to go and look again. Other objects are recalled only if ``anything`` is, for a hand may have
-    moved them: without a look in between it is the last that one tries.
+    The same goes for an object that this robot has put down. The robot then goes there and looks again. Other
+    objects are recalled only with ``anything``, as a last resort, since somebody may have moved them.
     """
 
     INPUT_PORTS = ports(task=object)

@@ -23,10 +23,11 @@ _FAR_M = 1.3
 
 
 class RecallSupport(RecallPlace):
-    """Take the furniture that the only thing that fits stood on, or its own place if it stood on none.
+    """Recall the furniture on which the only thing that fits was last seen, to look for it there first.
 
-    From its nearest side it is seen whether the thing still stands there; to be picked up from there it need
-    not be within reach. What is near and ahead was looked for already.
+    If it stood on none, it is the place of the thing itself. The robot goes to the nearest side, from where
+    it sees whether the thing still stands there; it need not be within reach. A place that is near and ahead
+    is not recalled, for it was looked at already.
     """
 
     INPUT_PORTS = ports(task=object)

@@ -13,7 +13,7 @@ from trees.tasks import SayTask
 
 
 class Say(Leaf):
-    """Tell the words of the task to everybody, or to the person that it names."""
+    """Say the words of the task, to everybody or to the person that it names."""
 
     INPUT_PORTS = ports(task=SayTask)
     OUTPUT_PORTS = ports(evidence=dict)

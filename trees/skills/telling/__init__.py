@@ -1,1 +1,60 @@
 """Count, describe, find: answers about what is seen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trees.skill import Before, Skill, as_answered
+from trees.tasks import CountTask, DescribeTask, FindTask
+
+if TYPE_CHECKING:
+    from py_trees.behaviour import Behaviour
+
+    from trees.toolbox import Toolbox
+
+
+def _find(task: FindTask, toolbox: Toolbox) -> Behaviour:
+    """Another one for several things."""
+    from trees.skills.telling.tree import find, find_several
+
+    several = task.count != 1 and not isinstance(task.person, str)
+    return find_several(toolbox) if several else find(toolbox)
+
+
+def _count(_task: CountTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.telling.tree import count
+
+    return count(toolbox)
+
+
+def _describe(_task: DescribeTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.telling.tree import describe
+
+    return describe(toolbox)
+
+
+SKILLS = (
+    Skill(
+        task=FindTask,
+        tree=_find,
+        example="find the red cup",
+        claim=as_answered,
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+    ),
+    Skill(
+        task=CountTask,
+        tree=_count,
+        example="how many cups are there",
+        claim=as_answered,
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+        hands_stay=True,
+    ),
+    Skill(
+        task=DescribeTask,
+        tree=_describe,
+        example="what is on the table",
+        claim=as_answered,
+        before=frozenset({Before.SOURCE_IN_VIEW}),
+        hands_stay=True,
+    ),
+)

@@ -14,7 +14,7 @@ from trees.toolbox import Toolbox
 
 
 class AsksFarther(Leaf):
-    """Succeed when the task asks about people, a room, or what may be anywhere; or only about a room."""
+    """Succeed if the question is about people, a room, or things that may be far from the robot."""
 
     ASKS = True
     INPUT_PORTS = ports(task=object)

@@ -14,7 +14,7 @@ SPEAKER = "me"
 
 
 class AsksForSpeaker(Leaf):
-    """Succeed when the task is aimed at "me"."""
+    """Succeed if the task is aimed at "me", the person who speaks to the robot."""
 
     ASKS = True
     INPUT_PORTS = ports(task=object)

@@ -16,7 +16,7 @@ from trees.skills.looking.look_around import LookAround
 
 
 class LookForPeople(LookAround):
-    """One more look; the people of this look and of the looks before are put out by their names."""
+    """Take one more look, and add the people in it to those whom earlier looks have shown."""
 
     INPUT_PORTS = ports(people_before=optional(dict))
     OUTPUT_PORTS = ports(people=dict)

@@ -12,7 +12,10 @@ from trees.nodes.ports import ports
 
 
 class LookPast(PlannedMotionLeaf):
-    """Take the eyes, with pelvis, trunk and head, to where most is seen that no look has shown yet."""
+    """Move head, trunk and pelvis so that the camera sees past what hides something.
+
+    Of the postures that can be reached, the one is taken that shows most of what no look has shown yet.
+    """
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports()

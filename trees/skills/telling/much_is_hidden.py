@@ -13,7 +13,7 @@ from trees.skills.telling.telling_leaf import TellingLeaf
 
 
 class MuchIsHidden(TellingLeaf):
-    """Succeed when a part of a top is hidden that is large enough for another thing."""
+    """Succeed if a hidden part of the furniture in question is large enough for another thing."""
 
     ASKS = True
     INPUT_PORTS = ports(task=object, sightings=PortInformation(dict, default_value={}))

@@ -7,7 +7,7 @@ import math
 from py_trees.common import Status
 
 from trees.beliefs.grounding.destination import Place
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
@@ -19,9 +19,10 @@ CONVERSING_M = 2.5
 
 
 class NoteWhoSpeaks(Leaf):
-    """Choose the nearest person; one who stands far away only when the robot has looked all around.
+    """Take the nearest person for the one who speaks to the robot.
 
-    That nobody is near yet is an answer: the robot looks farther around.
+    Somebody far away is taken only when the robot has looked all around. Until then, that nobody is near is
+    an answer, not a failure, and the robot looks farther around.
     """
 
     ASKS = True
@@ -53,7 +54,7 @@ class NoteWhoSpeaks(Leaf):
             for name, place in sorted(people.items())
         }
         if not away:
-            return Failure.postcondition("nobody is seen", people=0)
+            return Failure.postcondition("nobody is seen").because(Reason.NOBODY_SEEN)
         nearest = min(away, key=away.__getitem__)
         if away[nearest] > CONVERSING_M and not self._anybody:
             return Failure.postcondition(

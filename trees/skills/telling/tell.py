@@ -72,7 +72,7 @@ class TellCount(TellingLeaf):
 
 
 class TellDescription(TellingLeaf):
-    """Say what is there: everything, what is on a surface, or where one thing is."""
+    """Say what is there: everything that was seen, what is on a surface, or where one thing is."""
 
     INPUT_PORTS = ports(task=DescribeTask, sightings=PortInformation(dict, default_value={}))
     OUTPUT_PORTS = ports(evidence=dict)

@@ -21,7 +21,7 @@ from trees.tasks import Count, FindTask, ObjectDescription
 class TellEach(TellingLeaf):
     """Say where each of the things is that were looked for, and how sure that is.
 
-    What is only remembered is left out: to be found is to be seen.
+    Things that the robot only remembers are left out: they were not found, since they were not seen.
     """
 
     INPUT_PORTS = ports(task=FindTask, sightings=PortInformation(dict, default_value={}))

@@ -15,7 +15,7 @@ from trees.skills.telling.whereabouts import where_it_is
 
 
 class TellFound(Leaf):
-    """Say where what was looked for is, and how sure that is."""
+    """Say where the thing or person is that was looked for, and how sure that is."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports(evidence=dict)

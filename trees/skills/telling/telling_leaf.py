@@ -25,9 +25,10 @@ from trees.beliefs.scene.gap_to_furniture import gap_to_furniture_m
 from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.hidden_places import HIDDEN_WORTH, hidden_places
 from trees.events import Said
-from trees.failures import Failure, Number
+from trees.failures import Failure, Number, Reason
 from trees.nodes.leaf import DONE, Leaf
 from trees.readings.around import base_pose, what_is_around
+from trees.skills.telling.settings import TellingSettings
 from trees.skills.telling.stated_confidence import calibrated
 from trees.skills.telling.why_shut import why_shut
 from trees.tasks import Destination, ObjectDescription, Relation
@@ -47,7 +48,7 @@ _NO_FURNITURE = frozenset({"wall", *PART_KINDS, *INSIDE_KINDS})
 
 
 class TellingLeaf(Leaf):
-    """Reads the world model, and gives out words with what they rest on."""
+    """A leaf that answers a question from the world model, with the evidence for its answer."""
 
     def around(self) -> Surroundings:
         """What is believed, from where the robot stands."""
@@ -72,11 +73,11 @@ class TellingLeaf(Leaf):
         Things are seen or missed each on its own, and what was not seen was missed about as easily as
         what was seen was seen badly; from that to a share of right answers goes a fitted line.
         """
-        sightings, policy = self.get_input("sightings"), self.toolbox.policy
+        sightings, settings = self.get_input("sightings"), self.toolbox.policy.of(TellingSettings)
         there = math.prod(float(sightings.get(name, _SURE)) for name in names)
         complete = fmean(map(float, sightings.values())) if sightings else _SURE
         raw = there * complete
-        stated = calibrated(raw, policy.confidence_slope, policy.confidence_offset)
+        stated = calibrated(raw, settings.confidence_slope, settings.confidence_offset)
         return {"confidence": stated, "seen_confidence": raw}
 
     def fitting(
@@ -87,7 +88,7 @@ class TellingLeaf(Leaf):
         if isinstance(source, str) and region is None:
             if not called_so(source, around.furniture_words):
                 known = kinds_in(thing.name for thing in around.things)
-                return Failure.postcondition(f"no {source} seen", seen=known)
+                return Failure.postcondition(f"no {source} seen", seen=known).because(Reason.NOT_SEEN)
             if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
                 return shut
         people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
@@ -109,7 +110,7 @@ class TellingLeaf(Leaf):
         if gap_m <= _OVERLOOKED_M:
             return None
         message = f"the {self.called_here(source, around)} is too far away to see all that is on it"
-        return Failure.postcondition(message, seen="it from afar", gap_m=gap_m)
+        return Failure.postcondition(message, gap_m=gap_m).because(Reason.SEEN_FROM_AFAR)
 
     def much_is_hidden(self) -> bool:
         """Whether, on the furniture that the task is about, something may stand behind what was seen."""

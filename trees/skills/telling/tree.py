@@ -11,7 +11,7 @@ from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.looking.locate import Locate
 from trees.skills.looking.look_at import LookAt
@@ -21,6 +21,7 @@ from trees.skills.searching.look_elsewhere import turned_around, where_it_may_be
 from trees.skills.telling.is_about_farther import AsksFarther
 from trees.skills.telling.look_past import LookPast
 from trees.skills.telling.much_is_hidden import MuchIsHidden
+from trees.skills.telling.settings import TellingSettings
 from trees.skills.telling.tell import TellCount, TellDescription
 from trees.skills.telling.tell_each import TellEach
 from trees.skills.telling.tell_found import TellFound
@@ -60,7 +61,7 @@ def _from_here(toolbox: Toolbox) -> Behaviour:
             memory=True,
             children=[LookPast("peer", toolbox), Locate("locate", toolbox)],
         )
-        for k in range(1, toolbox.policy.looks_past + 1)
+        for k in range(1, toolbox.policy.of(TellingSettings).looks_past + 1)
     ]
     return search_place("look for it", toolbox, everywhere(toolbox), further=past)
 
@@ -77,6 +78,7 @@ def _from_elsewhere(toolbox: Toolbox) -> Behaviour:
     return Alternatives(_ELSEWHERE, ways, looking_elsewhere_is_useless, worth_going)
 
 
+@judgement
 def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     """Looks from elsewhere only where the robot can go there; any other always."""
     turns = (leaf for leaf in way.iterate() if isinstance(leaf, ChangeViewpoint))
@@ -105,7 +107,7 @@ def _looks(toolbox: Toolbox) -> list[Behaviour]:
     return [
         BestEffort(Sequence("look farther", memory=True, children=farther)),
         BestEffort(Sequence("look all around", memory=True, children=_all_around(toolbox))),
-        *_surveys(toolbox, policy.inventory_gazes),
+        *_surveys(toolbox, policy.of(TellingSettings).inventory_gazes),
         *(BestEffort(_past_what_hides(k, toolbox)) for k in range(1, _LOOKS_PAST + 1)),
         GoHome("go home", toolbox),
     ]

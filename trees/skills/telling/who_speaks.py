@@ -5,10 +5,10 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import looking_elsewhere_is_useless
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.skills.looking.look_at import LookAt
 from trees.skills.telling.is_about_speaker import AsksForSpeaker
 from trees.skills.telling.look_for_people import LookForPeople
@@ -35,9 +35,10 @@ def who_speaks(toolbox: Toolbox) -> Behaviour:
     return Sequence("see who speaks", memory=True, children=[AsksForSpeaker("asked for", toolbox), looks])
 
 
+@judgement
 def nobody_spoke(failure: Failure) -> bool:
     """A defect, a question, or a look all around that showed nobody: no other look helps."""
-    return looking_elsewhere_is_useless(failure) or "people" in failure.root.numbers
+    return looking_elsewhere_is_useless(failure) or failure.root.reason is Reason.NOBODY_SEEN
 
 
 def _view(name: str, toolbox: Toolbox, before: list[Behaviour]) -> Behaviour:

@@ -11,8 +11,10 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.place import PlacePlan
+from kinematics.requests.request import Request
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import SceneObject
 from kinematics.walking.route.path_planning import Footprint, footprints
@@ -41,10 +43,12 @@ _BESIDE = PlanarPose(0.02, 0.02, 0.02)
 
 
 class ChooseStand(Leaf):
-    """Ask the planner for a pick from place after place, the usual one first; take the first that has one.
+    """Find where to stand so that the object can be picked up.
 
-    Only for objects that the planning scene holds; for all else the usual place is chosen, and for an object
-    that can be picked up from nowhere as well, if there is room: whoever wants no more than to go there can.
+    The planner is asked for a pick from one place after the other, beginning with the usual one; the first
+    place with a plan is taken. The usual place is also chosen for all that is not an object of the planning
+    scene, and, if there is room, for an object that can be picked up from nowhere: a person may only want the
+    robot to go there.
     """
 
     INPUT_PORTS = ports(place=Place)
@@ -62,7 +66,7 @@ class ChooseStand(Leaf):
     """A place is taken if those that are so far beside it do as well, for nobody arrives exactly; where there
     is no such place, the one with most of them."""
 
-    _job: Job | None = None
+    _job: Job[PickPlan | PlacePlan | NoPlan] | None = None
 
     def begin(self) -> None:
         """List the places."""
@@ -125,12 +129,12 @@ class ChooseStand(Leaf):
         """The places to ask about, in order, where there is room."""
         return filter(room.has, places)
 
-    def request(self, body: PlanarPose, stance: Stance) -> PickRequest | PlaceRequest:
+    def request(self, body: PlanarPose, stance: Stance) -> Request[PickPlan | PlacePlan | NoPlan]:
         """What the planner is asked for a place to stand."""
         del body
         toolbox = self.toolbox
         return PickRequest(
-            q_start=toolbox.model.home_over(stance),
+            q_start=StandingRobot.of(toolbox.model, stance).q_home,
             stance=stance,
             scene=toolbox.world.scene,
             target=self._place.name,

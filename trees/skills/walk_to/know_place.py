@@ -13,7 +13,7 @@ from trees.nodes.ports import ports
 
 
 class KnowPlace(Leaf):
-    """Find what the task is aimed at among the named regions of the map, or where the robot began."""
+    """Find what the task is aimed at among the regions of the map, or as the place where the robot began."""
 
     INPUT_PORTS = ports(task=object)
     OUTPUT_PORTS = ports(place=Place)

@@ -14,7 +14,11 @@ from trees.tasks import ObjectDescription
 
 
 class MayBeElsewhere(Leaf):
-    """Fail for what is to be taken out of something with a door: it is seen from before it, or not in it."""
+    """Succeed if it is worth looking for the object far from where it was said to be.
+
+    It is not for an object that is to be taken out of something with a door: that is seen from before the
+    door, or it is not in there.
+    """
 
     ASKS = True
     INPUT_PORTS = ports(task=object)

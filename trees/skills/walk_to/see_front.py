@@ -47,9 +47,9 @@ def behind(place: Place, front: ObjectEstimate) -> Place:
 
 
 class SeeFront(LookAround):
-    """Look once: a door where a known piece of furniture has one tells that it still stands there.
+    """Look once, and recognize a known piece of furniture by its door or drawer.
 
-    A closed fridge shows nothing but its door to whoever stands before it.
+    A closed fridge, for example, shows nothing but its door to who stands before it.
     """
 
     INPUT_PORTS = ports(task=object, known=Place)

@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
-from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.looking.search_place import everywhere, search_place
@@ -24,6 +24,7 @@ from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walk_to.know_place import KnowPlace
 from trees.skills.walk_to.may_be_elsewhere import MayBeElsewhere
 from trees.skills.walk_to.see_front import SeeFront
+from trees.skills.walk_to.settings import WalkToSettings
 from trees.skills.walk_to.squared_up import SquaredUp
 from trees.skills.walking.change_viewpoint import Viewpoint
 from trees.skills.walking.ready_to_walk import ReadyToWalk
@@ -67,7 +68,9 @@ def walks(toolbox: Toolbox, choose: Behaviour) -> Behaviour:
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
-    return Retry("walks", attempt, again, toolbox.policy.walk_attempts, another_walk_is_useless)
+    return Retry(
+        "walks", attempt, again, toolbox.policy.of(WalkToSettings).walk_attempts, another_walk_is_useless
+    )
 
 
 def find_place(toolbox: Toolbox) -> Behaviour:
@@ -94,6 +97,7 @@ def _level_first(gazes: tuple[Gaze, ...]) -> tuple[Gaze, ...]:
     return (*gazes[1:], gazes[0])
 
 
+@judgement
 def another_walk_is_useless(failure: Failure, before: Failure | None) -> bool:
     """Standing beside the place is put right by walking again; so is a way that was barred for a while."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE

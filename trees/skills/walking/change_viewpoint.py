@@ -11,7 +11,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import PathSteering, Steering, StretchSteering
 from kinematics.walking.route.room import WalkingRoom
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -35,10 +35,10 @@ Viewpoint = Literal["ahead", "around", "back", "room"]
 
 
 class ChangeViewpoint(ScannedWalk):
-    """Walk straight on or back as far as the way is free, or turn on the spot.
+    """Walk straight on or back as far as the floor is free, or turn on the spot.
 
-    "room" steps back, or ahead, where there is no room to turn; it stays where there is, or where no way is
-    free.
+    "room" is for a place without room to turn: the robot then steps back, or ahead, until there is. It stays
+    when there is room already, or when it cannot step either way.
     """
 
     INPUT_PORTS = ports()
@@ -71,12 +71,14 @@ class ChangeViewpoint(ScannedWalk):
         if self._way == "ahead":
             room_m = room.free_way_m(scan, 1.0) - _ROOM_M
             if room_m < _LEAST_M:
-                return Failure.infeasible("there is no room ahead to look from", room_m=room_m)
+                message = "there is no room ahead to look from"
+                return Failure.infeasible(message, room_m=room_m).because(Reason.NO_ROOM)
             return StretchSteering(settings, body, _SPEED_M_S, min(room_m, _AHEAD_M))
         if self._way == "back":
             room_m = room.free_way_m(scan, -1.0) - _ROOM_BEHIND_M
             if room_m < _LEAST_BACK_M:
-                return Failure.infeasible("there is no room behind to look from", room_m=room_m)
+                message = "there is no room behind to look from"
+                return Failure.infeasible(message, room_m=room_m).because(Reason.NO_ROOM)
             return StretchSteering(settings, body, -_SPEED_M_S, min(room_m, _BACK_M))
         narrow = no_room_to_turn(self.toolbox, room, scan)
         if self._way == "room":

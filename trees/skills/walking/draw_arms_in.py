@@ -15,7 +15,7 @@ from trees.toolbox import Toolbox
 
 
 class DrawArmsIn(PlannedMotionLeaf):
-    """Fold the arms that hold nothing, or bring them home again; all else stays as it is."""
+    """Fold the empty arms before the chest, or bring them home again; nothing else moves."""
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()

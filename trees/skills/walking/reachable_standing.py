@@ -45,13 +45,16 @@ _ELSEWHERE_M = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Stand:
-    """Where to stand for one thing, so that it holds when the thing is seen again a little elsewhere.
+    """Where to stand for one thing, in relation to that thing.
+
+    It stays right when the thing is seen again in a slightly different place.
 
     Attributes:
-        name: The thing's, in the planning scene.
+        name: Name of the thing in the planning scene.
         x_m, y_m: From the thing to the middle between the feet, along the axes of the odometry frame.
         yaw_rad: Heading, in the odometry frame.
-        usual_T_stand: From where one usually stands for the thing; that is known better from nearby, too.
+        usual_T_stand: The same from the place where one usually stands for the thing, which is known better
+            once the robot is near.
     """
 
     name: str
@@ -117,7 +120,7 @@ def places_about(
 
 
 class StandingRoom:
-    """Where the robot has room to stand."""
+    """Tells where the robot has room to stand."""
 
     def __init__(
         self,

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.walking_settings import UPRIGHT_RAD
 from kinematics.requests.gesture import CarryRequest, GestureRequest
 from kinematics.requests.move import MoveRequest
@@ -29,7 +30,11 @@ _HEIGHT_M = 0.02
 
 
 class ReadyToWalk(GoHome):
-    """Bring pelvis and trunk home; an empty hand as well, a held object upright to where it is carried."""
+    """Stand upright with the hands as a walk needs them.
+
+    Pelvis, trunk and empty hands go home; a held object is brought upright before the shoulder, where it is
+    carried.
+    """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
@@ -112,7 +117,7 @@ class ReadyToWalk(GoHome):
 
     def _stands_tall(self, q: Array) -> bool:
         toolbox = self.toolbox
-        home_m = float(toolbox.model.home_over(toolbox.motion.stance())[2])
+        home_m = float(StandingRobot.of(toolbox.model, toolbox.motion.stance()).q_home[2])
         return _leans_by_at_most(_TALL_RAD, q) and abs(float(q[2]) - home_m) <= _HEIGHT_M
 
 

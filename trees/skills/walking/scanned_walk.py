@@ -8,14 +8,17 @@ from py_trees.common import Status
 
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.leaf import DONE, RUNNING
 from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.walking_leaf import WalkingLeaf
 
 
 class ScannedWalk(WalkingLeaf):
-    """Asks its subclass for a way when the range sensor has told what is about, and goes it."""
+    """A leaf that looks with the range sensor, then walks or turns once, and waits until the robot stands.
+
+    A subclass decides, from what the sensor has seen, where to walk.
+    """
 
     def steering(self, settings: WalkingSettings, scan: NDArray[np.float64]) -> Steering | Failure | None:
         """The way to go; None where there is nothing to do.
@@ -31,7 +34,8 @@ class ScannedWalk(WalkingLeaf):
         toolbox = self.toolbox
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None or toolbox.ranging is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None:
             scan = toolbox.ranging.scan()
             if scan is None:

@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.walking.route.path_planning import Footprint
-from robots.perception.range_sensor import RangeSensor
+from robots.perception.detector import RangeSensor
 
 _CELL_M = 0.05
 _KNOWN_M = 0.12
@@ -18,10 +18,10 @@ _KNOWN_M = 0.12
 
 
 class SeenPoints:
-    """Points of obstacles on a grid over the floor, in the odometry frame.
+    """Where the range sensor has seen obstacles, as points on a grid over the floor, in the odometry frame.
 
     Attributes:
-        silent: Whether the sensor had nothing to say when it was asked last.
+        silent: Whether the sensor had no reading when it was asked last.
     """
 
     def __init__(self, sensor: RangeSensor | None) -> None:

@@ -15,7 +15,7 @@ from kinematics.walking.route.path_planning import Footprint, blocked
 from kinematics.walking.route.room import BESIDE_HANDS_M, WalkingRoom
 from kinematics.walking.route.ways import BESIDE_TUCKED_M, NoWay, WayFinder
 from trees.beliefs.grounding.destination import Place
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
@@ -47,12 +47,11 @@ _NO_WAY = {
 
 
 class WalkTo(WalkingLeaf):
-    """Walk around what is known to stand about, and stand square in front of the place.
+    """Walk around all obstacles that are known or seen on the way, and stand square in front of the place.
 
-    Where the robot is too near to something to turn, it steps straight back first. What its range sensor
-    sees on the way, and nobody knew of, it walks around too. Its own odometry leads; who wants to know how
-    well it arrived looks again. Where it is to go only if its hands have room on all the way, and they have
-    not, it says so before it sets out.
+    Where the robot is too near to something to turn, it first steps straight back. It is led by its odometry;
+    how well it has arrived is measured by another leaf that looks. Made with ``if_hands_fit``, it fails
+    before it sets out if the hands have no room on the whole way.
     """
 
     INPUT_PORTS = ports(place=Place, stand=optional(Stand))
@@ -116,7 +115,8 @@ class WalkTo(WalkingLeaf):
         toolbox = self.toolbox
         settings = toolbox.model.description.walking
         if settings is None or toolbox.walking is None:
-            return Failure.infeasible(f"{toolbox.model.description.name} cannot walk here")
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
         if self._handle is None:
             steering = self._plan(settings)
             if self._seen.silent:

@@ -8,6 +8,7 @@ from py_trees.composites import Sequence
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
+from trees.nodes.judgements import judgement
 from trees.skills.walking.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.skills.walking.draw_arms_in import DrawArmsIn
 from trees.toolbox import Toolbox
@@ -41,6 +42,7 @@ def with_room(toolbox: Toolbox, at_home: Behaviour, drawn_in: Behaviour) -> Beha
     return Sequence("with room", memory=True, children=[walk, out])
 
 
+@judgement
 def narrower_arms_are_useless(failure: Failure) -> bool:
     """They help against want of room alone."""
     return failure.root.kind is not FailureKind.INFEASIBLE or bool(failure.choices)

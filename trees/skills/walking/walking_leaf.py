@@ -11,7 +11,10 @@ from trees.nodes.motion_leaf import motion_failure
 
 
 class WalkingLeaf(Leaf):
-    """Follows one walk at a time, and stops it within its last steps when the leaf ends early."""
+    """A leaf that makes one walk at a time, and leaves the robot standing whatever happens.
+
+    When it ends early, the walk stops within its last steps.
+    """
 
     _handle: MotionHandle | None = None
 

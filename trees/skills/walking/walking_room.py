@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.route.load import load_of
 from kinematics.walking.route.room import WalkingRoom
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.readings.odometry import feet_pose
 from trees.skills.walking.empty_arms import arms_are_tucked
 from trees.toolbox import Toolbox
@@ -39,7 +39,8 @@ def no_room_to_turn(toolbox: Toolbox, room: WalkingRoom, scan: NDArray[np.float6
     if tight.lack_m <= 0.0:
         return None
     message = f"there is no room to turn for the {tight.part}"
-    return Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
+    lack = Failure.infeasible(message, room_m=tight.room_m, needed_m=tight.needed_m)
+    return lack.because(Reason.NO_ROOM)
 
 
 def room_if_it_walks(toolbox: Toolbox) -> WalkingRoom | None:

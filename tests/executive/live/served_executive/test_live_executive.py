@@ -19,7 +19,7 @@ from robots.live.wire.messages import read_object
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.executive.session import test_session
 from tests.robots.live.conftest import swing
-from trees.failures import Failure
+from trees.failures import Failure, OpenChoice
 from trees.world_model import WorldModel
 
 REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
@@ -53,7 +53,7 @@ class Serving:
 
     def check(self, trajectory):
         """Have both sides let a trajectory pass."""
-        job = self.live._planning.submit(CheckRequest(trajectory.trajectory, PlanningScene()))
+        job = self.live._planning.check(CheckRequest(trajectory.trajectory, PlanningScene()))
         self.worker.answer(Planned(trajectory, 0.1, "{}"))
         while not job.done:
             self.live._session.hold(0.02)
@@ -154,7 +154,7 @@ def test_a_statement_that_expects_a_question_is_not_asked(serving, monkeypatch):
 @pytest.fixture
 def asking(serving):
     """Each task asks which of two cups."""
-    which = Failure.infeasible("which cup?", choices="red cup | blue cup", objects="red cup | blue cup")
+    which = Failure.asking("which cup?", OpenChoice(("red cup", "blue cup"), ("red cup", "blue cup")))
     serving.live._session._build = lambda _task, _toolbox: Tree(1, which)
     return serving
 
@@ -207,7 +207,7 @@ def test_an_emergency_stop_ends_a_question_that_waits(asking, text):
 @pytest.mark.requirement("S7")
 def test_what_is_paused_while_it_asks_is_held_after_the_answer(asking):
     session, desk, held = asking.live._session, asking.live._desk, []
-    session._pausing = SimpleNamespace(pause=held.append, resume=lambda: held.append("it goes on"))
+    session._pause._pausing = SimpleNamespace(pause=held.append, resume=lambda: held.append("it goes on"))
     ticks = iter(range(30))
     session.watch_periods(lambda: desk.asking and not desk.given and desk.given.append("red cup"))
     session.watch_periods(lambda: held and next(ticks, None) is None and session.resume())

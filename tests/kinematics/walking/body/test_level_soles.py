@@ -5,7 +5,8 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.walking.body.level_soles import levelled
 from robots.models.description import load_description
 
@@ -49,6 +50,6 @@ def test_the_home_posture_stands_upright_over_tilted_soles(model):
     for leg in ("left_leg", "right_leg"):
         q[7 + model.joint_index(model.description.groups[leg][-2])] += 0.06
 
-    home = model.home_over(stance_at(model, q))
+    home = StandingRobot(model, stance_at(model, q)).q_home
 
     np.testing.assert_allclose(home[3:7], model.q_home[3:7], atol=1e-9)

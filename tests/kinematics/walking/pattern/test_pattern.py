@@ -9,7 +9,9 @@ from kinematics.walking.body.whole_body import WholeBody
 from kinematics.walking.pattern.pattern import WalkingPattern
 from kinematics.walking.pattern.pattern_sample import Phase
 from kinematics.walking.pattern.steering import PathSteering, StretchSteering, VelocitySteering
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -117,7 +119,7 @@ def test_each_position_follows_from_the_one_before_and_both_velocities(model):
     q, v = np.array([m.q[7:] for m in motions]), np.array([m.v[6:] for m in motions])
 
     assert np.abs(np.diff(q, axis=0) - 0.5 * PERIOD_S * (v[1:] + v[:-1])).max() < 1e-12
-    limits = walk.settings.joint_acceleration
+    limits = HARDWARE.walking.joint_acceleration
     most = np.array([limits.get(name, np.inf) for name in model.joints])
     assert (np.abs(np.diff(v, axis=0)) / PERIOD_S <= most).all()
 

@@ -12,8 +12,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.load import Load, load_of
 from kinematics.walking.route.path_planning import clearance_m
-from kinematics.walking.route.room import WalkingRoom
-from kinematics.walking.route.stopping import stopping_distance_m
+from kinematics.walking.route.room import WalkingRoom, stopping_distance_m
 from robots.models.description import load_description
 
 DESCRIPTION = load_description("talos")

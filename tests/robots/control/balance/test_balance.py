@@ -3,7 +3,8 @@ import pytest
 
 from kinematics.dynamics.held_load import loaded
 from kinematics.dynamics.standing_dynamics import StandingDynamics
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.motion.trajectory import HeldLoad
 from robots.control.balance.balance import Balance
@@ -18,7 +19,7 @@ def at_rest(talos):
 
 @pytest.fixture
 def balance(talos):
-    return Balance(talos, stance_at(talos, talos.q_home))
+    return Balance(StandingRobot(talos, stance_at(talos, talos.q_home)))
 
 
 def test_what_a_hand_carries_is_borne_by_the_feed_forward(talos, balance, at_rest):
@@ -26,9 +27,9 @@ def test_what_a_hand_carries_is_borne_by_the_feed_forward(talos, balance, at_res
     for _ in range(200):
         efforts = balance.efforts(at_rest)
 
-    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(
-        at_rest.q
-    )
+    wanted = StandingDynamics(
+        StandingRobot(loaded(talos, BOTTLE), stance_at(talos, talos.q_home))
+    ).holding_efforts(at_rest.q)
     np.testing.assert_allclose(efforts, wanted, atol=1e-9)
 
 
@@ -51,7 +52,7 @@ def test_a_load_that_changes_halfway_makes_no_step_either(balance, at_rest):
 def test_the_first_efforts_after_a_walk_bear_the_load_at_once(talos, balance, at_rest):
     balance.carry(BOTTLE)
 
-    wanted = StandingDynamics(loaded(talos, BOTTLE), stance_at(talos, talos.q_home)).holding_efforts(
-        at_rest.q
-    )
+    wanted = StandingDynamics(
+        StandingRobot(loaded(talos, BOTTLE), stance_at(talos, talos.q_home))
+    ).holding_efforts(at_rest.q)
     np.testing.assert_allclose(balance.efforts(at_rest), wanted, atol=1e-9)

@@ -6,9 +6,10 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import HeldLoad
 from robots.control.balance.contact_watch import PERIODS, WALKING_PERIODS, ContactWatch
 from robots.control.gate.refusal import Limit
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 
 MODEL = RobotModel(load_description("talos"))
+HARDWARE = load_robot("talos").hardware
 TALOS = MODEL.description
 ELBOW = TALOS.actuated.index("arm_left_4_joint")
 
@@ -23,7 +24,7 @@ def pushed(watch, push_nm, moving=True, periods=PERIODS, walks=False):
 
 @pytest.mark.parametrize("push_nm", [12.0, -12.0])
 def test_a_push_beyond_what_the_motion_needs_is_noticed(push_nm):
-    refusal = pushed(ContactWatch(MODEL), push_nm)
+    refusal = pushed(ContactWatch(MODEL, HARDWARE.contact_effort_nm), push_nm)
 
     assert refusal.limit is Limit.CONTACT
     assert refusal.joint == "arm_left_4_joint"
@@ -32,12 +33,12 @@ def test_a_push_beyond_what_the_motion_needs_is_noticed(push_nm):
 
 
 def test_the_weight_of_a_cup_and_a_single_spike_are_no_contact():
-    assert pushed(ContactWatch(MODEL), 7.0, periods=50) is None
-    assert pushed(ContactWatch(MODEL), 100.0, periods=PERIODS - 1) is None
+    assert pushed(ContactWatch(MODEL, HARDWARE.contact_effort_nm), 7.0, periods=50) is None
+    assert pushed(ContactWatch(MODEL, HARDWARE.contact_effort_nm), 100.0, periods=PERIODS - 1) is None
 
 
 def test_a_push_that_was_there_before_does_not_hinder_the_motion_that_ends_it():
-    watch = ContactWatch(MODEL)
+    watch = ContactWatch(MODEL, HARDWARE.contact_effort_nm)
     pushed(watch, 40.0, moving=False)
 
     assert pushed(watch, 40.0, periods=50) is None
@@ -45,15 +46,20 @@ def test_a_push_that_was_there_before_does_not_hinder_the_motion_that_ends_it():
 
 
 def test_on_a_walk_an_arm_that_is_jolted_is_no_contact_and_one_that_goes_on_pushing_is():
-    watch = ContactWatch(MODEL)
+    watch = ContactWatch(MODEL, HARDWARE.contact_effort_nm)
 
     assert pushed(watch, 18.0, periods=200, walks=True) is None
     assert pushed(watch, 21.0, periods=WALKING_PERIODS - 1, walks=True) is None
-    assert pushed(ContactWatch(MODEL), 21.0, periods=WALKING_PERIODS, walks=True).limit is Limit.CONTACT
+    assert (
+        pushed(
+            ContactWatch(MODEL, HARDWARE.contact_effort_nm), 21.0, periods=WALKING_PERIODS, walks=True
+        ).limit
+        is Limit.CONTACT
+    )
 
 
 def test_legs_which_balance_are_not_watched():
-    watch = ContactWatch(MODEL)
+    watch = ContactWatch(MODEL, HARDWARE.contact_effort_nm)
     effort, expected = np.zeros(len(TALOS.actuated)), np.zeros(len(TALOS.actuated))
     effort[:14] = 100.0
 
@@ -78,16 +84,16 @@ def lifting(watch, mass_kg, push_nm=0.0):
 
 
 def test_the_weight_of_what_is_lifted_is_no_contact_before_it_is_known():
-    assert lifting(ContactWatch(MODEL), 4.0) is None
+    assert lifting(ContactWatch(MODEL, HARDWARE.contact_effort_nm), 4.0) is None
 
 
 def test_more_than_the_hand_can_carry_and_a_push_beside_a_weight_are_contact():
-    assert lifting(ContactWatch(MODEL), 12.0).limit is Limit.CONTACT
-    assert lifting(ContactWatch(MODEL), 1.5, push_nm=-25.0).limit is Limit.CONTACT
+    assert lifting(ContactWatch(MODEL, HARDWARE.contact_effort_nm), 12.0).limit is Limit.CONTACT
+    assert lifting(ContactWatch(MODEL, HARDWARE.contact_effort_nm), 1.5, push_nm=-25.0).limit is Limit.CONTACT
 
 
 def test_what_nobody_holds_explains_no_effort_any_more():
-    watch = ContactWatch(MODEL)
+    watch = ContactWatch(MODEL, HARDWARE.contact_effort_nm)
     assert lifting(watch, 4.0) is None
     watch.bear((), lambda: MODEL.q_home)
 

@@ -6,8 +6,12 @@ import pytest
 from robots.clock import ManualClock
 from robots.control.balance.sway_damping import SwayDamping
 from robots.control.loop.control_loop import ControlLoop
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 PUSH_N, PUSHED_S = 80.0, 0.1
 
@@ -24,7 +28,7 @@ def speeds(talos, **of):
 
 
 def damped(talos, measured, commanded, efforts, periods=100):
-    damping = SwayDamping(talos.description, 0.002)
+    damping = SwayDamping(RobotData(talos.description, HARDWARE), 0.002)
     for _ in range(periods):
         damping.sense(measured, commanded)
     damping.add_to(efforts)
@@ -60,7 +64,7 @@ def test_it_asks_for_no_more_than_a_leg_can_give(talos):
 
 
 def test_after_a_walk_it_begins_anew(talos):
-    damping = SwayDamping(talos.description, 0.002)
+    damping = SwayDamping(RobotData(talos.description, HARDWARE), 0.002)
     v = speeds(talos, leg_left_6=1.0)
     damping.sense(v, np.zeros_like(v))
 
@@ -74,7 +78,11 @@ def test_after_a_walk_it_begins_anew(talos):
 @pytest.mark.requirement("S4")
 @pytest.mark.parametrize("along", [0, 1])
 def test_a_robot_that_was_pushed_is_at_rest_half_a_second_later(talos, along):
-    world = build_world(talos.description, SceneDescription("floor"), np.random.default_rng(3))
+    world = build_world(
+        RobotData(talos.description, HARDWARE),
+        SceneDescription("floor"),
+        np.random.default_rng(3),
+    )
     loop = ControlLoop(world.robot, talos, ManualClock(), lambda event: None)
     physics = world.truth._physics
     trunk = physics.body_id("torso_2_link")

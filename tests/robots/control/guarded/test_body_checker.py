@@ -11,7 +11,8 @@ from kinematics.collision import validity
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -22,6 +23,9 @@ from robots.control.guarded.body_checker import BodyChecker
 from robots.control.hands.yield_settings import YieldSettings
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 EMPTY = YieldSettings(lost_s=99.0)
 """For hands that hold nothing."""
@@ -33,7 +37,17 @@ def led_home(model, scene, s_to=0.12):
     line = DrawerLine(place, np.pi)  # forwards
     stance = stance_at(model, q)
     return YieldingHand(
-        model, stance, "left", q, scene, (), line, 0.0, s_to, bias=np.zeros(6), settings=EMPTY
+        StandingRobot(model, stance),
+        "left",
+        q,
+        scene,
+        (),
+        line,
+        0.0,
+        s_to,
+        grip=HARDWARE.grips["left"],
+        bias=np.zeros(6),
+        settings=EMPTY,
     )
 
 
@@ -56,7 +70,7 @@ def test_a_motion_towards_something_is_stopped_before_it_touches(rig, talos):
 
 def test_a_body_that_leans_out_of_balance_is_refused(talos):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     assert checker.judge() is None
 
     q = motion.body.q.copy()
@@ -75,13 +89,13 @@ def test_every_loss_of_balance_is_told_as_one(talos, judge, monkeypatch):
         monkeypatch.setattr(validity, "_kernel_is_there", lambda: False)
     motion = led_home(talos, PlanningScene())
     stance = stance_at(talos, talos.q_home)
-    space, kinds = free_coordinates(talos, stance), {}
+    space, kinds = free_coordinates(StandingRobot(talos, stance)), {}
     for ahead_m in np.linspace(0.0, 0.16, 33 if judge == "kernel" else 9):
         x = space.home.copy()
         x[0] += ahead_m
         q = space.to_q(x[None])[0][0]
         margin_m = SupportPolygon(stance, talos.description.soles).com_margin_m(talos.com(q))
-        checker = BodyChecker(talos, stance, motion)
+        checker = BodyChecker(StandingRobot(talos, stance), motion)
         motion.body = replace(motion.body, q=q)
         kinds[margin_m - talos.description.com_margin_m] = checker.judge()
 
@@ -93,7 +107,7 @@ def test_every_loss_of_balance_is_told_as_one(talos, judge, monkeypatch):
 
 def test_a_foot_that_cannot_stay_is_told_as_that(talos):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     q = motion.body.q.copy()
     q[2] += 0.2
     motion.body = replace(motion.body, q=q)
@@ -106,7 +120,7 @@ def test_a_foot_that_cannot_stay_is_told_as_that(talos):
 
 def test_a_joint_beyond_what_plans_keep_is_told_with_its_numbers(talos):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     q, k = motion.body.q.copy(), talos.joint_index("head_1_joint")
     q[7 + k] = talos.upper_rad[k]
     motion.body = replace(motion.body, q=q)
@@ -120,7 +134,7 @@ def test_a_joint_beyond_what_plans_keep_is_told_with_its_numbers(talos):
 @pytest.mark.parametrize(("place", "part"), [(1, "base"), (7 + 3, "leg_left_4_joint"), (-1, "head_2_joint")])
 def test_what_is_no_number_is_told_as_that(talos, place, part):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     assert checker.judge() is None
     q = motion.body.q.copy()
     q[place] = np.nan
@@ -145,7 +159,7 @@ def holding_a_rod(model, end_m):
 @pytest.mark.requirement("S6")
 def test_what_a_hand_holds_is_stopped_before_it_meets_the_floor(talos):
     motion = led_home(talos, holding_a_rod(talos, 0.02))
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     assert checker.judge() is None
 
     motion.scene = holding_a_rod(talos, 0.002)
@@ -157,7 +171,7 @@ def test_what_a_hand_holds_is_stopped_before_it_meets_the_floor(talos):
 
 def test_what_begins_near_the_floor_keeps_the_other_reserves(talos):
     motion = led_home(talos, holding_a_rod(talos, 0.002))
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     assert checker.judge() is None
 
     motion.body = replace(motion.body, q=hand_at_body(talos, 0.003))
@@ -169,8 +183,8 @@ def test_what_begins_near_the_floor_keeps_the_other_reserves(talos):
 def test_a_squat_in_which_the_thighs_meet_is_refused(talos):
     motion = led_home(talos, PlanningScene())
     stance = stance_at(talos, talos.q_home)
-    space = free_coordinates(talos, stance)
-    checker = BodyChecker(talos, stance, motion)
+    space = free_coordinates(StandingRobot(talos, stance))
+    checker = BodyChecker(StandingRobot(talos, stance), motion)
     assert checker.judge() is None
 
     x = space.home.copy()
@@ -184,7 +198,7 @@ def test_a_squat_in_which_the_thighs_meet_is_refused(talos):
 
 def test_legs_that_do_not_hold_the_feet_are_refused(talos):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
 
     q = motion.body.q.copy()
     q[7 + talos.joint_index("leg_left_4_joint")] += 0.01
@@ -209,7 +223,7 @@ def hand_at_body(model, gap_m):
 @pytest.mark.requirement("S6")
 def test_a_motion_is_stopped_before_its_own_links_touch(talos):
     motion = led_home(talos, PlanningScene())
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
     assert checker.judge() is None
 
     motion.body = replace(motion.body, q=hand_at_body(talos, 0.003))
@@ -220,7 +234,7 @@ def test_a_motion_is_stopped_before_its_own_links_touch(talos):
 def test_what_begins_nearer_than_the_reserve_may_go_on(talos):
     motion = led_home(talos, PlanningScene())
     motion.body = replace(motion.body, q=hand_at_body(talos, 0.002))
-    checker = BodyChecker(talos, stance_at(talos, talos.q_home), motion)
+    checker = BodyChecker(StandingRobot(talos, stance_at(talos, talos.q_home)), motion)
 
     assert checker.judge() is None
     motion.body = replace(motion.body, q=hand_at_body(talos, 0.001))

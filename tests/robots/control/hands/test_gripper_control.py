@@ -38,7 +38,7 @@ def test_closed_on_something_it_presses_with_the_described_effort(rig, left, fin
 
     reading = left.reading()
     assert reading.holding
-    assert reading.effort_nm == pytest.approx(rig.description.grippers["left"].effort_nm, abs=0.1)
+    assert reading.effort_nm == pytest.approx(rig.robot.hardware.grips["left"].effort_nm, abs=0.1)
 
 
 def test_the_grip_goes_on_while_the_body_moves_and_when_it_is_stopped(rig, left, motions):
@@ -71,7 +71,7 @@ def test_an_emptied_gripper_closes_and_soon_says_so(rig, left, fingers_rad):
     assert not left.reading().holding
     rig.run(0.5)
 
-    assert left.reading().position_rad < rig.description.grippers["left"].empty_below_rad
+    assert left.reading().position_rad < rig.robot.hardware.grips["left"].empty_below_rad
     assert rig.loop.statistics.refused == 0
 
 

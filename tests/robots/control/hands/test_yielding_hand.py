@@ -8,11 +8,15 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.interface.robot import RobotState
+from robots.models.description import load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -43,7 +47,7 @@ class Held:
     def _state(self, k, body, force):
         model, data = self._model, self._data
         effort = pin.rnea(model.pin, data, body.q, body.v, body.a)[6:]
-        armature = [model.description.gains[joint].armature for joint in model.joints]
+        armature = [model.description.armature[joint] for joint in model.joints]
         effort = effort + np.array(armature) * body.a[6:] + 1.0 * body.v[6:]
         pin.computeJointJacobians(model.pin, data, body.q)
         pin.updateFramePlacement(model.pin, data, self._frame)
@@ -65,7 +69,19 @@ def at_handle(talos):
 
 def leading(model, q, path, s_to, **more):
     scene, stance = PlanningScene(), stance_at(model, q)
-    return YieldingHand(model, stance, "left", q, scene, (), path, 0.0, s_to, bias=np.zeros(6), **more)
+    return YieldingHand(
+        StandingRobot(model, stance),
+        "left",
+        q,
+        scene,
+        (),
+        path,
+        0.0,
+        s_to,
+        grip=HARDWARE.grips["left"],
+        bias=np.zeros(6),
+        **more,
+    )
 
 
 def nothing(_tcp):
@@ -134,7 +150,17 @@ def test_a_closing_drawer_that_meets_its_frame_has_arrived(talos, at_handle):
     line = DrawerLine(place + np.array([0.1, 0.0, 0.0]), 0.0)
     scene, stance = PlanningScene(), stance_at(talos, q)
     motion = YieldingHand(
-        talos, stance, "left", q, scene, (), line, 0.1, -0.05, bias=np.zeros(6), stop_from=0.05
+        StandingRobot(talos, stance),
+        "left",
+        q,
+        scene,
+        (),
+        line,
+        0.1,
+        -0.05,
+        grip=HARDWARE.grips["left"],
+        bias=np.zeros(6),
+        stop_from=0.05,
     )
 
     def frame(tcp):

@@ -8,9 +8,13 @@ from robots.control.events import HealthChanged
 from robots.control.health.arm_resistance import ArmResistance
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
+from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint, RobotState
+from robots.models.description import load_robot
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -20,7 +24,7 @@ class Standing:
 
     def __init__(self, model):
         scene = SceneDescription("floor")
-        self.world = build_world(model.description, scene, np.random.default_rng(3))
+        self.world = build_world(RobotData(model.description, HARDWARE), scene, np.random.default_rng(3))
         self.events = []
         self.loop = ControlLoop(self.world.robot, model, ManualClock(), self.events.append)
         self.run(0.3)
@@ -86,7 +90,10 @@ def at_a_wedged_cup(talos):
 
 def stuck_joints(talos, torques):
     """What is found when joints that do not move come to give so much more than their motion needs."""
-    resistance, n = ArmResistance(talos, PERIOD_S), len(talos.description.actuated)
+    resistance, n = (
+        ArmResistance(talos, HARDWARE, PERIOD_S),
+        len(talos.description.actuated),
+    )
     q, still, found = np.zeros(n), np.zeros(n), []
     q[: len(talos.joints)] = talos.q_home[7:]
     q[talos.group("right_arm")] = 0.545, -0.79, 0.016, -0.806, -0.346, 0.733, 0.67
@@ -131,7 +138,7 @@ def feel(resistance, talos, arm_nm, seconds):
 
 @pytest.mark.requirement("F5")
 def test_a_wrist_that_was_bent_by_a_hit_is_not_stuck_though_the_rest_of_its_arm_is_back(talos):
-    resistance = ArmResistance(talos, PERIOD_S)
+    resistance = ArmResistance(talos, HARDWARE, PERIOD_S)
 
     assert list(feel(resistance, talos, HIT, 0.3))[-1]
     later = list(feel(resistance, talos, AFTERWARDS, 1.0))
@@ -141,6 +148,6 @@ def test_a_wrist_that_was_bent_by_a_hit_is_not_stuck_though_the_rest_of_its_arm_
 
 
 def test_a_wrist_that_nothing_has_hit_is_held_back_by_itself(talos):
-    resistance = ArmResistance(talos, PERIOD_S)
+    resistance = ArmResistance(talos, HARDWARE, PERIOD_S)
 
     assert not any(feel(resistance, talos, AFTERWARDS, 0.5))

@@ -11,7 +11,9 @@ from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.interface.robot import JointSetpoint, RobotState
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 LEFT_LEAN_RAD = -0.11
@@ -29,15 +31,15 @@ def talos():
 class Body:
     """A robot that follows its setpoints as its servos' law says, and may be broken."""
 
-    def __init__(self, model):
+    def __init__(self, model, hardware=HARDWARE):
         description = model.description
         self.model, self.names = model, description.actuated
-        self.stiffness = np.array([description.gains[name].stiffness for name in self.names])
+        self.stiffness = np.array([HARDWARE.gains[name].stiffness for name in self.names])
         self.q = np.array([description.home[name] for name in self.names])
         self.most = np.array([description.limits[name].effort for name in self.names])
         self.tau = np.zeros(len(self.q))
         self.tau[self.index(ELBOW)] = 20.0
-        self.monitor = HealthMonitor(model, PERIOD_S)
+        self.monitor = HealthMonitor(model, hardware, PERIOD_S)
         self.periods, self.new, self.over = 0, [], []
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
@@ -207,7 +209,7 @@ def test_a_jam_of_an_arm_is_known_before_its_effort_counts_as_a_touch(body, join
     body.run(0.6, 0.02, joint)
 
     assert body.ailments() == [(Ailment.STUCK, joint)]
-    allowed_nm = body.model.description.contact_effort_nm[joint]
+    allowed_nm = HARDWARE.contact_effort_nm[joint]
     assert body.new[0].value * body.stiffness[body.index(joint)] < allowed_nm
 
 
@@ -383,10 +385,8 @@ def test_late_control_periods_are_noticed(body):
 
 
 def test_thresholds_are_data_of_the_robot(talos):
-    strict = dataclasses.replace(
-        talos.description, health=dataclasses.replace(talos.description.health, battery_low=0.5)
-    )
-    body = Body(RobotModel(strict))
+    strict = dataclasses.replace(HARDWARE, health=dataclasses.replace(HARDWARE.health, battery_low=0.5))
+    body = Body(talos, strict)
     body.battery = 0.4
     body.run(0.1)
 

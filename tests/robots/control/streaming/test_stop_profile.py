@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import RoundedPolyline
 from kinematics.motion.sampler import TrajectorySampler
-from kinematics.motion.tolerances import SETPOINT_FRACTION
+from kinematics.motion.verdict import SETPOINT_FRACTION
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace
@@ -31,7 +32,7 @@ def stance(talos):
 @pytest.fixture(scope="module", name="corner")
 def corner_fixture(talos, stance):
     """An arm and the trunk, around a corner."""
-    space, rng = free_coordinates(talos, stance), np.random.default_rng(3)
+    space, rng = free_coordinates(StandingRobot(talos, stance)), np.random.default_rng(3)
     start = space.from_q(talos.q_home)
     goal = start.copy()
     for joint in talos.description.groups["right_arm"] + talos.description.groups["torso"]:
@@ -40,7 +41,7 @@ def corner_fixture(talos, stance):
     moved = np.abs(goal - start) > 1e-9
     corner = 0.5 * (start + goal) + rng.uniform(-0.15, 0.15, len(goal)) * moved
     curve = RoundedPolyline(np.stack([start, corner, goal]), space.weights, 0.3)
-    return time_in_balance(talos, space, stance, curve, Pace(0.8, 1.0))
+    return time_in_balance(StandingRobot(talos, stance), curve, Pace(0.8, 1.0))
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +67,7 @@ def require_feet_in_place(talos, stance, q):
 
 @pytest.mark.requirement("S4")
 def test_a_path_that_gathers_speed_too_hard_is_braked_along_a_moment_later(talos, stance, sampler):
-    of = talos, stance, sampler, GATHERING_S, PERIOD_S
+    of = StandingRobot(talos, stance), sampler, GATHERING_S, PERIOD_S
     assert StopProfile.along_path(*of) is None
 
     profile = StopProfile.soon_along_path(*of)
@@ -84,7 +85,7 @@ def test_a_path_that_gathers_speed_too_hard_is_braked_along_a_moment_later(talos
 def test_joints_that_stop_each_on_its_own_end_where_a_motion_can_begin(talos, stance, sampler, t_s):
     now = sampler.at(t_s)
 
-    profile = StopProfile.joint_by_joint(talos, stance, now, PERIOD_S)
+    profile = StopProfile.joint_by_joint(StandingRobot(talos, stance), now, PERIOD_S)
 
     q, v, a = rows_of(profile)
     assert len(profile) * PERIOD_S < 0.5
@@ -101,7 +102,7 @@ def swing_fixture(talos, stance):
 
 def braked(talos, stance, swing, t_s):
     """Configurations of a stop along the path after some time of a motion, one a period."""
-    track = BodyTrack(talos, stance, talos.q_home, PERIOD_S)
+    track = BodyTrack(StandingRobot(talos, stance), talos.q_home, PERIOD_S)
     track.play(swing)
     for _ in range(round(t_s / PERIOD_S)):
         track.propose()
@@ -119,7 +120,7 @@ def braked(talos, stance, swing, t_s):
 def test_a_stop_before_a_turn_of_the_path_is_soon_and_keeps_to_the_path(talos, stance, swing, t_s):
     # With one even slope it would take 0.46 to 0.6 s; a stop may take half a second.
     sampler = TrajectorySampler(swing)
-    assert StopProfile.along_path(talos, stance, sampler, t_s, PERIOD_S).is_late(PERIOD_S)
+    assert StopProfile.along_path(StandingRobot(talos, stance), sampler, t_s, PERIOD_S).is_late(PERIOD_S)
 
     rows = braked(talos, stance, swing, t_s)
 
@@ -137,7 +138,7 @@ def test_a_fast_swing_can_be_stopped_soon_at_every_instant(talos, stance, swing)
 
 def stopped(talos, stance, trajectory, t_s, along_path):
     """Speeds of the setpoints from one period before a stop until it rests, one row a period."""
-    track = BodyTrack(talos, stance, trajectory.q[0], PERIOD_S)
+    track = BodyTrack(StandingRobot(talos, stance), trajectory.q[0], PERIOD_S)
     track.play(trajectory)
     speeds = [track.now.v]
     while len(speeds) * PERIOD_S <= t_s or not track.resting:
@@ -161,7 +162,7 @@ def test_a_stop_keeps_the_jerk_that_the_setpoints_show(talos, stance, swing, alo
 
 @pytest.mark.requirement("S4")
 def test_where_the_even_brake_steps_a_prompt_one_that_does_not_is_taken(talos, stance, corner, sampler):
-    even = StopProfile.along_path(talos, stance, sampler, STEPPING_S, PERIOD_S)
+    even = StopProfile.along_path(StandingRobot(talos, stance), sampler, STEPPING_S, PERIOD_S)
     assert even.steps
     assert not even.is_late(PERIOD_S)
 
@@ -173,7 +174,7 @@ def test_where_the_even_brake_steps_a_prompt_one_that_does_not_is_taken(talos, s
 @pytest.mark.requirement("S4")
 @pytest.mark.parametrize("t_s", [0.3, GATHERING_S, 0.7])
 def test_joints_that_stop_each_on_its_own_rest_once(talos, stance, sampler, t_s):
-    _, v, _ = rows_of(StopProfile.joint_by_joint(talos, stance, sampler.at(t_s), PERIOD_S))
+    _, v, _ = rows_of(StopProfile.joint_by_joint(StandingRobot(talos, stance), sampler.at(t_s), PERIOD_S))
 
     assert np.abs(v[:-1]).max(axis=1).min() > 0.0
 
@@ -181,7 +182,7 @@ def test_joints_that_stop_each_on_its_own_rest_once(talos, stance, sampler, t_s)
 @pytest.mark.requirement("S4")
 def test_where_the_legs_cannot_stop_at_once_the_path_is_braked_along(talos, stance, swing, monkeypatch):
     monkeypatch.setattr(StopProfile, "standing", lambda *_: None)
-    track = BodyTrack(talos, stance, talos.q_home, PERIOD_S)
+    track = BodyTrack(StandingRobot(talos, stance), talos.q_home, PERIOD_S)
     track.play(swing)
     for _ in range(180):
         track.propose()

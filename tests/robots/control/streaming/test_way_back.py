@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from kinematics.model.standing_at import stance_at
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import RoundedPolyline
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.balanced_timing import time_in_balance
@@ -19,13 +20,13 @@ KNEE = "leg_left_4_joint"
 def deep(talos, down=True):
     """Down by 12 cm from where it is at home, or up to there."""
     stance = stance_at(talos, talos.q_home)
-    space = free_coordinates(talos, stance)
+    space = free_coordinates(StandingRobot(talos, stance))
     high = space.from_q(talos.q_home)
     low = high.copy()
     low[2] -= LOW_M
     ends = [high, low] if down else [low, high]
     curve = RoundedPolyline(np.stack(ends), space.weights, 0.3)
-    return stance, time_in_balance(talos, space, stance, curve, Pace(0.8, 1.0))
+    return stance, time_in_balance(StandingRobot(talos, stance), curve, Pace(0.8, 1.0))
 
 
 @pytest.fixture(name="lowering")
@@ -35,7 +36,7 @@ def lowering_fixture(talos):
 
 
 def begun(talos, stance, trajectory):
-    track = BodyTrack(talos, stance, trajectory.q[0], PERIOD_S)
+    track = BodyTrack(StandingRobot(talos, stance), trajectory.q[0], PERIOD_S)
     track.play(trajectory)
     followed(track, seconds=0.5 * trajectory.duration_s)
     return stance, track
@@ -115,7 +116,7 @@ def played_out(talos):
     """A track that was braked so near the end of its path that it went on to there."""
     for share in np.arange(0.60, 1.0, 0.01):
         stance, lowering = deep(talos)
-        track = BodyTrack(talos, stance, lowering.q[0], PERIOD_S)
+        track = BodyTrack(StandingRobot(talos, stance), lowering.q[0], PERIOD_S)
         track.play(lowering)
         followed(track, seconds=share * lowering.duration_s)
         track.brake(along_path=True, easing=KNEE)

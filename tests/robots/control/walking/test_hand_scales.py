@@ -7,12 +7,14 @@ from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.walking.hand_scales import HandScales
-from robots.models.description import load_description
+from robots.interface.hardware import RobotData
+from robots.models.description import load_description, load_robot
 from robots.scenes.scene_description import RobotStart, SceneDescription
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002
 TALOS = RobotModel(load_description("talos"))
+HARDWARE = load_robot("talos").hardware
 
 
 class Laden:
@@ -20,7 +22,9 @@ class Laden:
 
     def __init__(self, mass_kg):
         self.world = build_world(
-            TALOS.description, SceneDescription("floor", RobotStart()), np.random.default_rng(3)
+            RobotData(TALOS.description, HARDWARE),
+            SceneDescription("floor", RobotStart()),
+            np.random.default_rng(3),
         )
         self.loop = ControlLoop(self.world.robot, TALOS, ManualClock(), lambda _event: None, PERIOD_S)
         self.mass_kg = mass_kg

@@ -7,19 +7,20 @@ import pytest
 
 from kinematics.model.robot_model import RobotModel
 from robots.control.walking.soft_ankles import SoftAnkles
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 from tools.evaluate.disturbed.rough import run_rough_episode
 from tools.evaluate.orders import EpisodeOrder
 
 TALOS = RobotModel(load_description("talos"))
-SETTINGS = TALOS.description.walking
+HARDWARE = load_robot("talos").hardware
+SETTINGS = HARDWARE.walking
 ANKLE = TALOS.joint_index("leg_left_5_joint")
 KNEE = TALOS.joint_index("leg_left_4_joint")
 AWAY_RAD = 0.01
 
 
 def efforts(soft_for_s, away_rad_s=0.0):
-    ankles = SoftAnkles(TALOS, SETTINGS)
+    ankles = SoftAnkles(TALOS, HARDWARE.gains, SETTINGS)
     still = np.zeros(len(TALOS.joints))
     felt = still.copy(), still.copy()
     for joint in (ANKLE, KNEE):
@@ -30,13 +31,13 @@ def efforts(soft_for_s, away_rad_s=0.0):
 
 
 def test_what_is_left_of_the_servo_is_as_soft_as_is_wanted():
-    servo = TALOS.description.gains["leg_left_5_joint"].stiffness * AWAY_RAD
+    servo = HARDWARE.gains["leg_left_5_joint"].stiffness * AWAY_RAD
 
     assert servo + efforts(0.5)[ANKLE] == pytest.approx(SETTINGS.ankle_stiffness_nm * AWAY_RAD)
 
 
 def test_its_damping_is_softer_too():
-    gains = TALOS.description.gains["leg_left_5_joint"]
+    gains = HARDWARE.gains["leg_left_5_joint"]
     servo = gains.stiffness * AWAY_RAD + gains.damping * 0.2
 
     left = SETTINGS.ankle_stiffness_nm * AWAY_RAD + SETTINGS.ankle_damping_nms * 0.2
@@ -60,9 +61,9 @@ def test_it_walks_over_scattered_plates_on_which_stiff_ankles_let_it_fall():
 
 
 def test_a_robot_whose_ankles_stay_stiff_has_nothing_taken_away():
-    gains = TALOS.description.gains["leg_left_5_joint"]
+    gains = HARDWARE.gains["leg_left_5_joint"]
     stiff = dataclasses.replace(SETTINGS, ankle_stiffness_nm=gains.stiffness, ankle_damping_nms=gains.damping)
-    ankles = SoftAnkles(TALOS, stiff)
+    ankles = SoftAnkles(TALOS, HARDWARE.gains, stiff)
     told = np.zeros(len(TALOS.joints))
 
     for _ in range(200):

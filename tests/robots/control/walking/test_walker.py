@@ -11,9 +11,12 @@ from robots.clock import ManualClock
 from robots.control.gate.refusal import Limit, Refusal
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus
-from robots.models.description import load_description
+from robots.interface.hardware import RobotData
+from robots.models.description import load_description, load_robot
 from robots.scenes.scene_description import Furniture, PerceptionModel, Person, RobotStart, SceneDescription
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -26,7 +29,7 @@ class Floor:
         if changed:
             description = dataclasses.replace(description, **changed)
         scene = SceneDescription("floor", RobotStart(), PerceptionModel(), furniture=furniture, people=people)
-        self.world = build_world(description, scene, np.random.default_rng(3))
+        self.world = build_world(RobotData(description, HARDWARE), scene, np.random.default_rng(3))
         self.events = []
         self.loop = ControlLoop(
             self.world.robot, RobotModel(description), ManualClock(), self.events.append, PERIOD_S

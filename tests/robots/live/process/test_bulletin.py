@@ -7,11 +7,15 @@ import pytest
 
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
-from robots.fake.fake_range_sensor import FakeRangeSensor
 from robots.fake.fake_robot import FakeRobot
+from robots.fake.fake_sensing import FakeRangeSensor
+from robots.interface.hardware import RobotData
 from robots.live.process.bulletin import Bulletin, Wanted
 from robots.live.process.motion_desk import MotionDesk
+from robots.models.description import load_robot
 from robots.perception.detector import PerceptionFrame
+
+HARDWARE = load_robot("talos").hardware
 
 PERIOD_S = 0.002
 
@@ -41,7 +45,13 @@ class Far:
 @pytest.mark.parametrize("picture_every", [1, 17, 50])
 def test_scans_come_nearly_ten_times_a_second_beside_pictures(talos, reads_every, picture_every):
     clock, pictures, far = ManualClock(), Pictures(picture_every), Far()
-    loop = ControlLoop(FakeRobot(talos.description, clock), talos, clock, lambda _event: None, PERIOD_S)
+    loop = ControlLoop(
+        FakeRobot(RobotData(talos.description, HARDWARE), clock),
+        talos,
+        clock,
+        lambda _event: None,
+        PERIOD_S,
+    )
     ranging = FakeRangeSensor()
     ranging.points_m = np.ones((3, 3))
     bulletin = Bulletin(loop, clock, pictures, ranging, MotionDesk(loop))

@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from robots.live.process.hold_back import HOLD_AFTER_S, MOST_S, RAN_S, HoldBack
-from robots.live.process.processor_use import ProcessorUse, processor_use
+from robots.live.process.hold_back import HOLD_AFTER_S, MOST_S, RAN_S, HoldBack, ProcessorUse, processor_use
 
 PID = 7
 

@@ -5,15 +5,19 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.model.robot_description import HANDS
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_file import load_scene
 from robots.simulated.body.body_model import sole_name
 from robots.simulated.body.geom_roles import Role
 from robots.simulated.body.physics import Physics
 
+HARDWARE = load_robot("talos").hardware
+
 
 @pytest.fixture(scope="module")
 def physics(description):
-    return Physics(description, load_scene("tabletop"))
+    return Physics(RobotData(description, HARDWARE), load_scene("tabletop"))
 
 
 def labels(physics, role):
@@ -91,7 +95,7 @@ def test_actuators_have_the_described_gains_and_limits_in_the_order_of_setpoints
     model = physics.model
     assert [model.actuator(i).name for i in range(model.nu)] == list(description.actuated)
     for i, name in enumerate(description.actuated):
-        gains, effort = description.gains[name], description.limits[name].effort
+        gains, effort = HARDWARE.gains[name], description.limits[name].effort
         assert model.actuator_gainprm[i, 0] == gains.stiffness
         assert model.actuator_biasprm[i, 1:3] == pytest.approx((-gains.stiffness, -gains.damping))
         assert tuple(model.actuator_forcerange[i]) == (-effort, effort)

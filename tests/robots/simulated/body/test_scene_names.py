@@ -5,11 +5,14 @@ import pytest
 
 from executive.session.assembly import assemble
 from kinematics.geometry.shapes import Box
-from robots.models.description import load_description
+from robots.interface.hardware import RobotData
+from robots.models.description import load_description, load_robot
 from robots.scenes.scene_description import Furniture, MovingPart, Person, SceneDescription, SceneItem
 from robots.simulated.body.body_model import pad_name, sole_name
 from robots.simulated.body.geom_roles import Role
 from robots.simulated.body.physics import Physics
+
+HARDWARE = load_robot("talos").hardware
 
 TALOS = load_description("talos")
 OTHERS = ("floor", "world", "universe", "root", "gyro", "accelerometer", "sky", "cup/free", "scene:cup")
@@ -22,7 +25,7 @@ def named_as(name):
 
 def names_of_the_robot():
     """What MuJoCo has a name for in a world that holds the robot alone."""
-    model = Physics(TALOS, SceneDescription("empty")).model
+    model = Physics(RobotData(TALOS, HARDWARE), SceneDescription("empty")).model
     texts = model.names.split(b"\0")
     pads = [pad_name(link) for gripper in TALOS.grippers.values() for link in gripper.pad_links]
     soles = [sole_name(sole) for sole in TALOS.soles]
@@ -43,8 +46,8 @@ def test_objects_may_be_called_as_anything_of_the_robot_or_the_floor():
         SceneItem(name, "box", "red", Box((0.1, 0.1, 0.1)), 0.2, 0.6, far_away(k))
         for k, name in enumerate(names)
     )
-    plain = Physics(TALOS, SceneDescription("empty"))
-    physics = Physics(TALOS, SceneDescription("odd", objects=items))
+    plain = Physics(RobotData(TALOS, HARDWARE), SceneDescription("empty"))
+    physics = Physics(RobotData(TALOS, HARDWARE), SceneDescription("odd", objects=items))
 
     assert [physics.geom_label[physics.object_geom[name]] for name in names] == names
     assert all(physics.geom_role[physics.object_geom[name]] == Role.OBJECT for name in names)

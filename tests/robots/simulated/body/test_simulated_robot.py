@@ -8,11 +8,14 @@ import pytest
 from kinematics.errors import InvalidArrayError
 from kinematics.geometry import poses
 from robots.errors import SetpointRefusedError
+from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint
-from robots.models.description import load_description
+from robots.models.description import load_robot
 from robots.scenes.scene_description import RobotStart, SceneDescription
 from robots.scenes.scene_file import load_scene
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 EMPTY = SceneDescription("empty")
 
@@ -68,7 +71,7 @@ def test_readings_do_not_change_until_time_passes(stand):
 def test_encoders_are_unbiased_and_as_noisy_as_described(standing, description):
     _, readings, truth = standing
     error = np.array([state.q for state in readings]) - truth
-    sigma = description.noise.joint_position_rad
+    sigma = HARDWARE.noise.joint_position_rad
 
     assert error.std() == pytest.approx(sigma, rel=0.02)
     assert np.abs(error.mean(axis=0)).max() < 5.0 * sigma / np.sqrt(len(error))
@@ -81,7 +84,7 @@ def test_efforts_are_as_noisy_as_described(standing, description):
     # Standing still, only noise is left between neighbouring periods.
     sigma = np.diff(efforts, axis=0).std(axis=0) / np.sqrt(2.0)
 
-    assert sigma == pytest.approx(description.noise.joint_effort_fraction * limits, rel=0.15)
+    assert sigma == pytest.approx(HARDWARE.noise.joint_effort_fraction * limits, rel=0.15)
 
 
 def test_the_gyro_is_still_and_the_accelerometer_feels_gravity_upwards(standing, description):
@@ -91,7 +94,7 @@ def test_the_gyro_is_still_and_the_accelerometer_feels_gravity_upwards(standing,
     felt = world_R_imu @ np.mean([state.accelerometer for state in readings], axis=0)
 
     assert np.abs(gyro.mean(axis=0)).max() < 0.001
-    assert gyro.std() == pytest.approx(description.noise.gyro_rad_s, rel=0.1)
+    assert gyro.std() == pytest.approx(HARDWARE.noise.gyro_rad_s, rel=0.1)
     assert felt == pytest.approx((0.0, 0.0, 9.81), abs=0.01)
 
 
@@ -130,7 +133,7 @@ def test_effort_is_averaged_over_the_period(stand):
     body.sequence += 1
     robot.command(JointSetpoint(0.0, body.sequence, "test", q, np.zeros_like(q), body.tau))
     robot.advance(0.002)
-    sigma = body.description.noise.joint_effort_fraction * body.description.limits["arm_left_4_joint"].effort
+    sigma = HARDWARE.noise.joint_effort_fraction * body.description.limits["arm_left_4_joint"].effort
 
     end_of_period = physics.data.actuator_force[elbow]
 
@@ -148,7 +151,7 @@ def test_a_setpoint_is_reached_in_a_straight_line_by_the_end_of_its_period(stand
     former = physics.data.ctrl.copy()
     n = len(body.description.actuated)
     q, v, tau = former + 0.001, np.full(n, 0.1), np.full(n, 0.5)
-    gains = [body.description.gains[name] for name in body.description.actuated]
+    gains = [HARDWARE.gains[name] for name in body.description.actuated]
     folded = q + np.array([(0.5 + item.damping * 0.1) / item.stiffness for item in gains])
 
     body.robot.command(JointSetpoint(0.0, 1, "test", q, v, tau))
@@ -220,7 +223,11 @@ def test_a_setpoint_in_float32_is_followed_as_one_in_float64(stand):
 
 def test_the_robot_stands_where_the_scene_puts_it(description, robot_model):
     start = RobotStart(0.03, -0.02, 0.08)
-    world = build_world(description, replace(EMPTY, robot_start=start), np.random.default_rng(0))
+    world = build_world(
+        RobotData(description, HARDWARE),
+        replace(EMPTY, robot_start=start),
+        np.random.default_rng(0),
+    )
     expected = world.truth.world_T_odom() @ robot_model.frame_pose(robot_model.q_home, description.base_link)
 
     assert world.truth.world_T_odom() == pytest.approx(
@@ -230,7 +237,7 @@ def test_the_robot_stands_where_the_scene_puts_it(description, robot_model):
 
 
 def readings_of(seed):
-    world = build_world(load_description("talos"), load_scene("tabletop"), np.random.default_rng(seed))
+    world = build_world(load_robot("talos"), load_scene("tabletop"), np.random.default_rng(seed))
     out = []
     for i in range(100):
         world.robot.command(setpoint(world.robot, sequence=i))

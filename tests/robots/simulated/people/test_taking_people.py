@@ -7,7 +7,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from robots.models.description import load_description
+from robots.models.description import load_robot
 from robots.scenes.scene_description import Furniture, Person, SceneDescription, SceneItem
 from robots.simulated.world import build_world
 
@@ -24,7 +24,7 @@ def world_with(*people, more=()):
     place = poses.translation(0.72, -0.2, 0.955)
     cup = SceneItem("red cup", "cup", "red", Cylinder(0.03, 0.11), 0.2, 0.7, place)
     scene = SceneDescription("by a table", people=people, furniture=(top,), objects=(cup, *more))
-    return build_world(load_description("talos"), scene, np.random.default_rng(0))
+    return build_world(load_robot("talos"), scene, np.random.default_rng(0))
 
 
 def pass_time(world, seconds):

@@ -103,9 +103,9 @@ def test_without_ffmpeg_its_package_is_named(monkeypatch):
 def test_the_simulator_runs_where_no_opengl_library_is_chosen():
     """The physics never asks for OpenGL, also when the environment switches it off."""
     code = (
-        "import numpy as np; from robots.models.description import load_description; "
+        "import numpy as np; from robots.models.description import load_robot; "
         "from robots.scenes.scene_file import load_scene; from robots.simulated.world import build_world; "
-        "build_world(load_description('talos'), load_scene('tabletop'), np.random.default_rng(0))"
+        "build_world(load_robot('talos'), load_scene('tabletop'), np.random.default_rng(0))"
     )
     environment = {**os.environ, "MUJOCO_GL": "disabled"}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)

@@ -7,10 +7,14 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
+from robots.interface.hardware import RobotData
+from robots.models.description import load_robot
 from robots.scenes.scene_description import Person, SceneDescription, SceneItem
 from robots.scenes.scene_file import load_scene
 from robots.simulated.truth.true_support import SupportPolygon, convex_hull
 from robots.simulated.world import build_world
+
+HARDWARE = load_robot("talos").hardware
 
 TILT = "head_1_joint"
 
@@ -77,7 +81,7 @@ def test_the_camera_looks_forward_and_down_when_the_head_is_tilted(stand):
 
 def test_solids_come_in_a_fixed_order_with_their_true_poses(description):
     scene = load_scene("tabletop")
-    world = build_world(description, scene, np.random.default_rng(0))
+    world = build_world(RobotData(description, HARDWARE), scene, np.random.default_rng(0))
     names = [solid.name for solid in world.truth.solids()]
 
     assert names == ["table/top", *(f"table/leg_{i}" for i in (1, 2, 3, 4)), "red cup", "blue box"]
@@ -113,7 +117,7 @@ def test_an_object_on_furniture_has_the_friction_of_the_furniture(stand):
 
 def test_a_person_is_there_and_stands(description):
     scene = replace(load_scene("tabletop"), people=(Person("Ana", (1.5, 0.8), 3.14),))
-    world = build_world(description, scene, np.random.default_rng(0))
+    world = build_world(RobotData(description, HARDWARE), scene, np.random.default_rng(0))
 
     assert world.truth.contacts.robot_with_people() == ()
     assert not world.truth.visible("red cup", np.array([[2.5, 1.25, 1.2]])).any()

@@ -90,8 +90,8 @@ def test_nothing_goes_onto_another_table_than_the_one_that_was_named():
 def test_on_which_of_two_tables_is_asked(names):
     asked = why_not("table", scene(*(top(name, y) for name, y in zip(names, (-1.0, 1.0), strict=True))))
 
-    assert asked.numbers["slot"] == "on"
-    assert asked.numbers["count"] == 2
+    assert asked.choice_slot == "on"
+    assert len(asked.choices) == 2
 
 
 def test_boards_of_one_shelf_are_one_piece():

@@ -10,7 +10,6 @@ from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene
-from trees.failures import CHOICES_JOINED_BY
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.detect_handle import DetectHandle
 from trees.tasks import ObjectDescription, OpenTask, Relation
@@ -63,8 +62,8 @@ def test_one_of_two_is_asked_for_and_the_answer_means_it_after_another_look(two)
 
     assert status is Status.FAILURE
     assert leaf.failure.numbers["count"] == 2
-    assert leaf.failure.numbers["choices"] == CHOICES_JOINED_BY.join(["left drawer", "right drawer"])
-    for name in leaf.failure.numbers["objects"].split(CHOICES_JOINED_BY):
+    assert leaf.failure.choices == ("left drawer", "right drawer")
+    for name in leaf.failure.choice_names:
         place_m = two.place_y(name)
         _, status = detect(two, ObjectDescription("drawer", name=name))
         assert status is Status.SUCCESS
@@ -86,7 +85,7 @@ def test_what_is_beside_the_first_one_is_chosen_among_as_well(two):
     assert status is Status.SUCCESS
     assert two.place_y(two.output("handle").part) == pytest.approx(LEFT_M, abs=0.05)
     leaf, status = choose(two, ObjectDescription("drawer"))
-    assert leaf.failure.numbers["choices"] == CHOICES_JOINED_BY.join(["left drawer", "right drawer"])
+    assert leaf.failure.choices == ("left drawer", "right drawer")
 
 
 @pytest.mark.requirement("F1", "L5")

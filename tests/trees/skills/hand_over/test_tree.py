@@ -5,6 +5,7 @@ import pytest
 from kinematics.requests.gesture import OfferRequest
 from robots.fake.fake_world import cup, person, table
 from tests.trees.household_stage import ANA, RED_CUP, asked, run
+from trees.failures import Reason
 from trees.tasks import HandOverTask, ObjectDescription, PickTask
 
 
@@ -100,7 +101,7 @@ def test_nothing_is_held_out_to_who_does_not_come_for_it(stage_with):
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
 
     assert tree.failure.root.message == "Ana stands 2.8 m away"
-    assert tree.failure.wants_nearer
+    assert tree.failure.root.reason is Reason.PERSON_TOO_FAR
     assert stage.fake.world.carried_by("red cup") == "right"
 
 

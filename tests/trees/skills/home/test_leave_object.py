@@ -7,7 +7,7 @@ from kinematics.requests.check import CheckRequest
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.planning_scene import PlanningScene
 from robots.fake.fake_world import cup, table
-from trees import build
+from trees import readiness
 from trees.build import build_tree
 from trees.events import NodeChanged
 from trees.skills.home.find_left_about import FindLeftAbout
@@ -107,7 +107,7 @@ def test_who_takes_over_keeps_what_was_lifted(stage):
 def test_who_takes_over_lets_go_before_the_hands_go_home(stage, monkeypatch):
     cancelled_at(stage, "verify hold")
     monkeypatch.setattr(IfNothingIsKnown, "needed", lambda _self: True)
-    monkeypatch.setattr(build, "objects_in_open_grasp", lambda _toolbox: ())
+    monkeypatch.setattr(readiness, "objects_in_open_grasp", lambda _toolbox: ())
 
     tree = stage.play(build_tree(GO_HOME, stage.toolbox))
 

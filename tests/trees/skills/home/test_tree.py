@@ -22,7 +22,7 @@ def away(stage):
         keep_others=True,
     )
     step = fake.planning.answer(move).step
-    handle = fake.motion.start(fake.planning.answer(step.question))
+    handle = fake.motion.start(fake.planning.verdict(step.question))
     while not handle.finished:
         fake.step()
     return stage

@@ -3,7 +3,7 @@
 import pytest
 
 from robots.fake.fake_world import cup, table
-from trees.failures import Failure
+from trees.failures import Failure, OpenChoice
 from trees.skills.looking.search import looking_from_home_is_useless
 from trees.tasks import ObjectDescription, PickTask
 
@@ -13,13 +13,13 @@ CUP = PickTask("pick up the cup", ObjectDescription("cup"))
 @pytest.mark.requirement("L6")
 @pytest.mark.parametrize(("unseen", "useless"), [(0, True), (1, False)])
 def test_of_several_things_one_that_was_not_seen_may_be_gone(unseen, useless):
-    failure = Failure.infeasible("which cup? there are 2", choices="left | right", unseen=unseen)
+    failure = Failure.asking("which cup? there are 2", OpenChoice(("left", "right"), unseen=unseen))
 
     assert looking_from_home_is_useless(failure) is useless
 
 
 def test_a_defect_is_not_looked_past():
-    assert looking_from_home_is_useless(Failure.error("it broke", unseen=1))
+    assert looking_from_home_is_useless(Failure.error("it broke"))
 
 
 @pytest.mark.requirement("L6")

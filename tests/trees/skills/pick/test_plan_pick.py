@@ -73,7 +73,7 @@ def test_an_answer_to_another_question_is_a_defect(knowing, target):
     knowing.fake.planning.answer = lambda request: 42
     leaf, _ = plan(knowing, target)
 
-    assert leaf.failure.message == "TypeError: the planner answered int to a pick"
+    assert leaf.failure.kind is FailureKind.ERROR
 
 
 @pytest.mark.requirement("M5")

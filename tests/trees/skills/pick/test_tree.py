@@ -12,9 +12,13 @@ from kinematics.requests.check import CheckRequest
 from kinematics.requests.pick import PickRequest
 from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import cup, table
+from robots.models.description import load_robot
 from trees.events import NodeChanged
 from trees.failures import FailureKind
+from trees.skills.pick.settings import PickSettings
 from trees.tasks import ObjectDescription, PickTask
+
+HARDWARE = load_robot("talos").hardware
 
 HIT = Finding(FindingKind.SCENE_COLLISION, 0.4, ("arm_right_5_link", "table"), 0.004, 0.015)
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
@@ -56,8 +60,8 @@ def test_the_evidence_comes_from_the_robots_own_sensors(stage):
     tree = stage.play(stage.pick())
 
     assert tree.evidence["gripper_opening_m"] == pytest.approx(0.06)
-    gripper = stage.toolbox.model.description.grippers[tree.evidence["hand"]]
-    assert tree.evidence["effort_nm"] == pytest.approx(gripper.effort_nm)
+    grip = HARDWARE.grips[tree.evidence["hand"]]
+    assert tree.evidence["effort_nm"] == pytest.approx(grip.effort_nm)
     assert tree.evidence["lift_m"] == pytest.approx(0.13, abs=1e-3)
 
 
@@ -210,7 +214,7 @@ def test_a_hand_that_always_misses_gives_up_open_and_at_home(stage):
     tree = stage.play(stage.pick())
 
     assert tree.status == "failure"
-    assert tree.attempts == stage.toolbox.policy.pick_attempts
+    assert tree.attempts == stage.toolbox.policy.of(PickSettings).pick_attempts
     assert tree.failure.kind is FailureKind.POSTCONDITION
     assert tree.failure.message == "could not pick up the red cup: nothing between the fingers"
     assert places(tree.failure) == ["pick"] + ["pick/grasp/verify hold"] * 4
@@ -289,8 +293,8 @@ def test_of_two_cups_that_fit_none_is_touched(stage_with):
 
     assert tree.status == "failure"
     assert tree.failure.kind is FailureKind.INFEASIBLE
-    assert tree.failure.cause.numbers["choices"] == "blue cup | red cup"
-    assert tree.failure.cause.numbers["unseen"] == 0
+    assert tree.failure.choices == ("blue cup", "red cup")
+    assert tree.failure.root.open_choice.unseen == 0
     assert not any("gripper" in name for name in stage.fake.motion.started)
 
 
@@ -308,7 +312,7 @@ def test_an_unsafe_reach_moves_no_arm(stage):
     assert tree.status == "failure"
     assert tree.failure.kind is FailureKind.UNSAFE
     assert "arm_right_5_link and table" in tree.failure.message
-    assert tree.attempts == stage.toolbox.policy.pick_attempts
+    assert tree.attempts == stage.toolbox.policy.of(PickSettings).pick_attempts
     assert at_home(stage)
 
 

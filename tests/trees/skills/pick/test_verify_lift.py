@@ -3,6 +3,7 @@ from py_trees.common import Status
 
 from trees.skills.looking.look_at import LookAtTarget
 from trees.skills.pick.attach import Attach
+from trees.skills.pick.settings import PickSettings
 from trees.skills.pick.verify_lift import VerifyLift
 
 
@@ -111,7 +112,7 @@ def test_one_doubtful_reading_does_not_count(lifted):
 def test_a_doubtful_reading_at_the_end_of_the_hold_is_waited_out(lifted):
     hand = lifted.fake.grippers["right"]
     hand._lost = lambda name: False
-    ticks_of_the_hold = round(lifted.toolbox.policy.hold_s / 0.02)
+    ticks_of_the_hold = round(lifted.toolbox.policy.of(PickSettings).hold_s / 0.02)
 
     def lose_effort():
         hand.effort_nm = -0.1

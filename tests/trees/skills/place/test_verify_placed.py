@@ -8,7 +8,9 @@ from kinematics.geometry import poses
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import Placement
 from trees.skills.looking.look_at import LookAtTarget
+from trees.skills.place.settings import PlaceSettings
 from trees.skills.place.verify_placed import VerifyPlaced
+from trees.skills.put_in.settings import PutInSettings
 
 
 @pytest.fixture
@@ -33,7 +35,7 @@ def verify(stage, target, off_m, tolerance_m):
 
 @pytest.mark.parametrize(("off_m", "so"), [(0.0, True), (0.016, True), (0.024, False)])
 def test_what_is_seen_within_two_centimetres_of_its_spot_is_placed(looking, target, off_m, so):
-    leaf = verify(looking, target, off_m, looking.toolbox.policy.placed_tolerance_m)
+    leaf = verify(looking, target, off_m, looking.toolbox.policy.of(PlaceSettings).placed_tolerance_m)
 
     assert (leaf.status is Status.SUCCESS) == so
     if so:
@@ -45,7 +47,7 @@ def test_what_is_seen_within_two_centimetres_of_its_spot_is_placed(looking, targ
 
 @pytest.mark.parametrize(("off_m", "so"), [(0.024, True), (0.034, False)])
 def test_on_a_board_behind_a_door_it_may_stand_farther_from_its_spot(looking, target, off_m, so):
-    leaf = verify(looking, target, off_m, looking.toolbox.policy.shelved_tolerance_m)
+    leaf = verify(looking, target, off_m, looking.toolbox.policy.of(PutInSettings).shelved_tolerance_m)
 
     assert (leaf.status is Status.SUCCESS) == so
 
@@ -55,6 +57,6 @@ def test_what_is_not_seen_at_all_is_not_placed(looking, target):
     for _ in range(3):  # until a picture shows it
         looking.fake.step()
 
-    leaf = verify(looking, target, 0.0, looking.toolbox.policy.placed_tolerance_m)
+    leaf = verify(looking, target, 0.0, looking.toolbox.policy.of(PlaceSettings).placed_tolerance_m)
 
     assert leaf.failure.message == "the red cup is not seen where it was put"

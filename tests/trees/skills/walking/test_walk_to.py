@@ -12,7 +12,7 @@ from kinematics.geometry.shapes import Box
 from kinematics.scene.planning_scene import SceneObject
 from kinematics.walking.pattern.steering import StretchSteering
 from robots.control.motion_handle import MotionHandle
-from robots.fake.fake_range_sensor import FakeRangeSensor
+from robots.fake.fake_sensing import FakeRangeSensor
 from trees.beliefs.grounding.destination import Place
 from trees.skills.walking.draw_arms_in import DrawArmsIn
 from trees.skills.walking.reachable_standing import Stand

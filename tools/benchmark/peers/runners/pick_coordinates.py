@@ -44,20 +44,22 @@ class WholeBody:
     """
 
     def __init__(self, robot: Any, joints: Sequence[str], stance: Any) -> None:
+        from kinematics.model.standing_robot import StandingRobot
         from kinematics.standing.free_coordinates import FreeCoordinates
         from kinematics.standing.leg_ik import LegIk
 
         groups = robot.description.groups
         legs = [joint for name, members in groups.items() if name.endswith("_leg") for joint in members]
         self.model, self.solids = _reduced(robot, [*legs, *joints, "root_joint"])
-        self._legs, self._q_home = LegIk(robot, stance), robot.q_home
+        standing = StandingRobot(robot, stance)
+        self._legs, self._q_home = LegIk(standing), robot.q_home
         self._columns = 7 + robot.indices(joints)
         kept = list(self.model.names)[2:]
         self._kept = np.concatenate([np.arange(7), 7 + robot.indices(kept)])
         self.home = robot.q_home[self._kept]
         margin = robot.description.planning_margin_rad
         self._lower_rad, self._upper_rad = robot.lower_rad + margin, robot.upper_rad - margin
-        place = FreeCoordinates(robot, stance).from_q(robot.q_home)[:6] + PELVIS_ROOM
+        place = FreeCoordinates(standing).from_q(robot.q_home)[:6] + PELVIS_ROOM
         index = robot.indices(joints)
         self.lower = np.concatenate([place[0], self._lower_rad[index]])
         self.upper = np.concatenate([place[1], self._upper_rad[index]])

@@ -35,7 +35,7 @@ class Body:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
         from kinematics.model.robot_model import RobotModel
-        from kinematics.model.standing_at import stance_at
+        from kinematics.model.stance import stance_at
         from kinematics.model.support_polygon import SupportPolygon
 
         ou.setLogLevel(ou.LogLevel.LOG_ERROR)

@@ -82,7 +82,8 @@ class Body:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
         from kinematics.model.robot_model import RobotModel
-        from kinematics.model.standing_at import stance_at
+        from kinematics.model.stance import stance_at
+        from kinematics.model.standing_robot import StandingRobot
         from kinematics.model.support_polygon import SupportPolygon
         from kinematics.standing.free_coordinates import FreeCoordinates
         from kinematics.standing.leg_ik import LegIk
@@ -92,8 +93,9 @@ class Body:
         self.model = RobotModel(pickle.loads(Path(question["description"]).read_bytes()))
         self.q_home = self.model.q_home
         stance = stance_at(self.model, self.q_home)
-        self.space = FreeCoordinates(self.model, stance)
-        self.legs = LegIk(self.model, stance)
+        standing = StandingRobot(self.model, stance)
+        self.space = FreeCoordinates(standing)
+        self.legs = LegIk(standing)
         self.columns = 7 + self.model.indices(self.space.joints)
         self.polygon = SupportPolygon(stance, self.model.description.soles)
         self.rng = np.random.default_rng(question["seed"])

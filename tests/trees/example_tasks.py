@@ -1,0 +1,58 @@
+"""One task for every skill."""
+
+from trees.registry import skills
+from trees.tasks import (
+    CloseTask,
+    CountTask,
+    DescribeTask,
+    FindTask,
+    GoHomeTask,
+    HandOverTask,
+    LookAtTask,
+    MoveTask,
+    ObjectDescription,
+    OpenTask,
+    PickTask,
+    PlaceTask,
+    PointAtTask,
+    PutInTask,
+    SayTask,
+    WaitTask,
+    WalkToTask,
+    WaveTask,
+)
+
+RED_CUP = ObjectDescription("cup", "red")
+
+# A skill of which a sentence alone makes a task needs no row here.
+TASKS = {
+    PickTask: PickTask("pick up the red cup", ObjectDescription("cup", "red")),
+    GoHomeTask: GoHomeTask("go home"),
+    PlaceTask: PlaceTask("put the red cup on the table", RED_CUP, on="table"),
+    PutInTask: PutInTask("put the red cup into the bowl", RED_CUP, ObjectDescription("bowl")),
+    HandOverTask: HandOverTask("give the red cup to Ana", RED_CUP, "Ana"),
+    FindTask: FindTask("find the red cup", RED_CUP),
+    CountTask: CountTask("how many cups are there", ObjectDescription("cup")),
+    DescribeTask: DescribeTask("what is on the table", source="table"),
+    WaveTask: WaveTask("wave at Ana", "Ana"),
+    PointAtTask: PointAtTask("point at the red cup", RED_CUP),
+    LookAtTask: LookAtTask("look at the red cup", RED_CUP),
+    SayTask: SayTask("say hello", "hello"),
+    WaitTask: WaitTask("wait a moment", 0.1),
+    OpenTask: OpenTask("open the fridge", ObjectDescription("fridge")),
+    CloseTask: CloseTask("close the fridge", ObjectDescription("fridge")),
+    MoveTask: MoveTask("go forward", 0.3, 0.0, 0.5),
+    WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
+}
+TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
+
+# Where another tree does it when another thing, or several, are named, a task that names them.
+FURTHER = {
+    PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
+    FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
+}
+
+
+def root_of(task, toolbox):
+    """The root of a task's tree, without what clears the hands."""
+    return skills()[task.action].tree(task, toolbox)

@@ -1,0 +1,110 @@
+"""Take hold of a handle with a hand that gives way to it."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from kinematics.requests.grasp import Grasp
+from robots.control.hands.yield_order import YieldOrder
+from robots.control.motion_handle import MotionHandle, MotionStatus
+from trees.beliefs.openings.handles import HandleTarget
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, RUNNING
+from trees.nodes.motion_leaf import motion_failure
+from trees.nodes.ports import ports
+from trees.nodes.yielding_leaf import YieldingLeaf
+from trees.skills.doors.handle.held_handle import HeldHandle, scene_of_hand, tcp_m
+
+_QUIET_S = 0.25
+"""Before the fingers move, the hand feels what counts as no force."""
+
+
+class GraspHandle(YieldingLeaf):
+    """Close the gripper on the bar of a handle while the arm gives way.
+
+    Fingers that meet the bar off centre move the hand with them; where the hand comes to rest shows where the
+    bar really is.
+    """
+
+    INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)
+    OUTPUT_PORTS = ports(held=HeldHandle)
+    CONTRACT = Contract(
+        precondition="the open hand is about the bar",
+        postcondition="opening and effort of the gripper say that it holds something",
+        deadline_s=8.0,
+        moves="body and gripper",
+        on_success="the gripper presses on the bar",
+        on_failure="the gripper keeps its state; the arm holds",
+        on_cancel="the gripper keeps its state; the arm holds",
+    )
+
+    _fingers: MotionHandle | None = None
+
+    def begin(self) -> None:
+        """Forget an earlier run."""
+        super().begin()
+        self._fingers = None
+
+    def start(self) -> MotionHandle | Failure:
+        """Let the arm yield."""
+        return self.lead(self._order(self.get_input("grasp")))
+
+    def step(self) -> Status | Failure:
+        """Yield, close, settle, judge."""
+        outcome = super().step()
+        if outcome is not RUNNING:
+            return outcome
+        if self._fingers is None:
+            if self.elapsed_s >= _QUIET_S:
+                grasp: Grasp = self.get_input("grasp")
+                self._fingers = self.toolbox.grippers[grasp.hand].close()
+            return RUNNING
+        if (ended := motion_failure(self._fingers)) is not None:
+            return ended
+        if self._fingers.status is not MotionStatus.RUNNING:
+            self.led.finish()
+        return RUNNING
+
+    def release(self, reason: str) -> None:
+        """Hold."""
+        if self._fingers is not None and not self._fingers.finished:
+            self.toolbox.motion.cancel(self._fingers, reason)
+        super().release(reason)
+
+    def _order(self, grasp: Grasp) -> YieldOrder:
+        target: HandleTarget = self.get_input("handle")
+        toolbox = self.toolbox
+        q = toolbox.motion.reference()
+        return YieldOrder(
+            grasp.hand,
+            scene_of_hand(toolbox, target, grasp),
+            (target.part, target.handle),
+            target.path.through(tcp_m(toolbox, grasp, q), target.opening),
+            target.opening,
+            target.opening,
+        )
+
+    def finish(self) -> Status | Failure:
+        """Judge the grip, and note where the bar really is."""
+        grasp: Grasp = self.get_input("grasp")
+        target: HandleTarget = self.get_input("handle")
+        reading = self.toolbox.grippers[grasp.hand].reading()
+        report = self.led.report
+        self.measured(
+            opening_m=reading.opening_m,
+            effort_nm=reading.effort_nm,
+            holding=reading.holding,
+            peak_force_n=report.peak_force_n,
+        )
+        if not reading.holding:
+            return Failure.postcondition(
+                "the fingers closed beside the handle",
+                opening_m=reading.opening_m,
+                effort_nm=reading.effort_nm,
+            )
+        place = tcp_m(self.toolbox, grasp, self.toolbox.motion.reference())
+        path = target.path.through(place, target.opening)
+        self._set_output("held", HeldHandle(target, grasp, path, report.bias))
+        self.feedback_message = f"holding, {reading.opening_m * 1000:.0f} mm, {reading.effort_nm:.1f} Nm"
+        return DONE

@@ -1,0 +1,34 @@
+"""From a hand that has come to a front to one that can push it."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from kinematics.requests.grasp import Grasp
+from trees.beliefs.openings.handles import HandleTarget
+from trees.failures import Failure
+from trees.nodes.contract import Contract
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import ports
+from trees.skills.doors.handle.held_handle import HeldHandle, tcp_m
+
+
+class TouchFront(Leaf):
+    """Write the path about the hinge that a hand at the front of a door will follow when it pushes it."""
+
+    INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)
+    OUTPUT_PORTS = ports(held=HeldHandle)
+    CONTRACT = Contract(
+        precondition="the hand is at the front, or close before it",
+        postcondition="the way of the hand about the hinge is known",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Lay the arc through the hand."""
+        target: HandleTarget = self.get_input("handle")
+        grasp: Grasp = self.get_input("grasp")
+        place = tcp_m(self.toolbox, grasp, self.toolbox.motion.reference())
+        path = target.path.through(place, target.opening)
+        self._set_output("held", HeldHandle(target, grasp, path, None))
+        return DONE
