@@ -64,7 +64,7 @@ def rehearse(
         UserError: The script cannot be one.
         RobotsError: There is no such robot or scene.
     """
-    script = script_for(text, trust)
+    script = script_for(text, trust, scene)
     robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)

@@ -11,6 +11,7 @@ from executive.session.session import Session
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
+from executive.vocabulary.place_words import words_of_the_place
 
 
 class Requests:
@@ -42,6 +43,7 @@ class Requests:
             timeout_s: Simulated time that each task may take; None is the usual.
         """
         text = request if isinstance(request, str) else json.dumps(request)
-        statement = Statement.of(self._conversation.understand(text, trust))
+        with words_of_the_place(self._session.toolbox.detector.labels or ()):
+            statement = Statement.of(self._conversation.understand(text, trust))
         self._last = Ticket(self._session, statement, self._last, on_question, timeout_s)
         return self._last

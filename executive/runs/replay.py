@@ -20,7 +20,7 @@ from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun
 from executive.runs.run_request import RunRequest
 from executive.screens.display import NoDisplay
-from executive.scripts.task_script import load_script, script_for
+from executive.scripts.task_script import script_for
 from executive.session.cancellation import Cancellation
 from executive.session.events import Event, InputTaken, canonical_line
 from executive.trust import Trust
@@ -157,12 +157,13 @@ def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
     words = recorded.path / "config.toml"
     forget_config()
     use_config(words if words.is_file() else None)
-    statements = (load_script(script, trust) if script.is_file() else script_for(text, trust)).statements
+    place = str(scene) if scene.is_file() else str(header.get("scene"))
+    said = script_for(str(script) if script.is_file() else text, trust, place)
     return RunRequest(
         input=text,
-        statements=statements,
+        statements=said.statements,
         robot=robot,
-        scene=str(scene) if scene.is_file() else str(header.get("scene")),
+        scene=place,
         seed=int(header.get("seed", 0)),
         record=folder,
         on_question=header.get("on_question", "ask"),

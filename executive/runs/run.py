@@ -24,6 +24,7 @@ from executive.runs.run_request import RunRequest
 from executive.scripts.script_run import Said, not_begun, run_statements, settle_all, verdict
 from executive.session.cancellation import Cancellation
 from executive.session.events import Event, EventSink
+from executive.understanding.spoken_in import spoken_in
 from executive.understanding.statement import Statement
 from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
@@ -94,7 +95,7 @@ def perform(
         RobotsError: The robot's or the scene's data are not.
     """
     ending = _Ending(cancellation or Cancellation())
-    with taken_by(ending.take) if heeds_signals else nullcontext():
+    with taken_by(ending.take) if heeds_signals else nullcontext(), spoken_in(request.scene):
         return _performed(request, display, attendant or Nobody(), on_event, ending)
 
 

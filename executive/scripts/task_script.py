@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from executive.errors import ScriptError
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding.conversation import Conversation
+from executive.understanding.spoken_in import spoken_in
 from executive.understanding.statement import Statement
 from executive.understanding.understanding import understand
 from robots.toml_text import TomlTextError, read_toml
@@ -42,19 +45,35 @@ def is_script(argument: str) -> bool:
         return False
 
 
-def script_for(argument: str, trust: Trust = USUAL_TRUST) -> TaskScript:
+def script_for(argument: str, trust: Trust = USUAL_TRUST, scene: str | None = None) -> TaskScript:
     """What an argument of the command line asks for: a script's statements, or one statement.
+
+    Args:
+        argument: A sentence, or the path of a script.
+        trust: How far a model's output is trusted.
+        scene: Where it is said; None where the script says, if anywhere.
 
     Raises:
         ScriptError: It names a script that cannot be one.
+        SceneError: There is no such scene.
     """
-    if is_script(argument):
-        return load_script(Path(argument), trust)
-    return TaskScript((Statement.of(understand(argument, trust)),))
+    if not is_script(argument):
+        with spoken_in(scene):
+            return TaskScript((Statement.of(understand(argument, trust)),))
+    return load_script(Path(argument), trust, lambda own: spoken_in(scene or own))
 
 
-def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
+def load_script(
+    path: Path,
+    trust: Trust = USUAL_TRUST,
+    said_in: Callable[[str | None], AbstractContextManager[None]] = lambda _scene: nullcontext(),
+) -> TaskScript:
     """Read a script and understand all of its sentences, before anything moves.
+
+    Args:
+        path: The file.
+        trust: How far a model's output is trusted.
+        said_in: Of the scene that the script names, or None: what its sentences are understood within.
 
     Raises:
         ScriptError: File, key and reason.
@@ -67,11 +86,12 @@ def load_script(path: Path, trust: Trust = USUAL_TRUST) -> TaskScript:
     tasks = document.task
     if len(tasks) > MOST_TASKS:
         raise ScriptError(source, "task", f"has {len(tasks)} tasks; a script holds at most {MOST_TASKS}")
-    before = Conversation()
-    statements = tuple(_statement(task, trust, before) for task in tasks)
     scene = document.scene
     if scene is not None and scene.endswith(".toml") and not Path(scene).is_absolute():
         scene = str(path.parent / scene)
+    before = Conversation()
+    with said_in(scene):
+        statements = tuple(_statement(task, trust, before) for task in tasks)
     return TaskScript(statements, scene, document.robot, document.seed)
 
 

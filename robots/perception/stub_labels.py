@@ -7,10 +7,7 @@ from collections.abc import Iterable
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
-from robots.scenes.scene_words import OBJECT_KINDS
-
-ANY = "any"
-"""The word by which a scene declares that its perception is open: it can be asked for anything."""
+from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
 
 def told_labels(solids: Iterable[TrueObject], declared: Iterable[str]) -> frozenset[str] | None:
@@ -21,7 +18,7 @@ def told_labels(solids: Iterable[TrueObject], declared: Iterable[str]) -> frozen
         declared: What the scene declares besides.
     """
     extra = {word.casefold() for word in declared}
-    if ANY in extra:
+    if ANY_LABEL in extra:
         return None
     known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra}
     for solid in solids:

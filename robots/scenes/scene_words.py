@@ -10,6 +10,9 @@ HOLLOW_KINDS = ("box", "bowl")
 """Kinds that may be hollow and open at the top."""
 OBJECT_KINDS = (*CYLINDER_KINDS, "box", "ball")
 
+ANY_LABEL = "any"
+"""The label by which a scene declares that its perception is open: it can be asked for anything."""
+
 LONGEST_LABEL = 60
 """Letters of a kind, a name or a category."""
 

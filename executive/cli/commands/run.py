@@ -74,7 +74,7 @@ def run(
 
     use_config(config)
     trust = Trust(confidence, policy.value)
-    script = script_for(text, trust)
+    script = script_for(text, trust, scene)
     request = RunRequest(
         input=text,
         statements=script.statements,

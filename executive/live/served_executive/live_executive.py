@@ -34,6 +34,7 @@ from executive.understanding.canonical_words import canonical_kind
 from executive.understanding.command_parser import parse
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
+from executive.vocabulary.place_words import words_of_the_place
 from kinematics.model.robot_model import RobotModel
 from robots.errors import SceneError
 from robots.live.wire.connection import Connection
@@ -125,7 +126,8 @@ class LiveExecutive:
                 self._meanwhile()
                 continue
             try:
-                self._carry_out(order)
+                with words_of_the_place(self._session.toolbox.detector.labels or ()):
+                    self._carry_out(order)
             finally:
                 self._desk.finish()
 

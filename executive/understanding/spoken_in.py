@@ -1,0 +1,25 @@
+"""Where something is said: the things of a scene have names that are understood there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from executive.vocabulary.place_words import words_of_the_place
+
+
+@contextmanager
+def spoken_in(scene: str | None) -> Iterator[None]:
+    """Let what is said within be understood by the names of a scene's things, too.
+
+    Args:
+        scene: Name of a scene, or path of a scene file; None: nothing is known of the place.
+
+    Raises:
+        SceneError: There is no such scene.
+    """
+    from robots.scenes.object_names import spoken_words  # whoever only parses needs no scene
+    from robots.scenes.scene_file import load_scene
+
+    with words_of_the_place(() if scene is None else spoken_words(load_scene(scene))):
+        yield
