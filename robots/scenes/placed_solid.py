@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
@@ -18,7 +19,7 @@ TOUCH_TOLERANCE_M = 0.0005
 
 
 @dataclass(frozen=True, slots=True)
-class PlacedSolid:
+class PlacedSolid(Sealed):
     """A solid of a scene's thing.
 
     Attributes:

@@ -39,7 +39,7 @@ def test_a_mistyped_expectation_gets_the_nearest_word(tmp_path):
     script = tmp_path / "tidy.toml"
     script.write_text('[[task]]\nsay = "wave"\nexpect = "refsued"\n')
 
-    with pytest.raises(ScriptError, match=r"'refsued' is not one of .*; did you mean 'refused'"):
+    with pytest.raises(ScriptError, match=r"'refsued'; the nearest is 'refused'"):
         load_script(script)
 
 

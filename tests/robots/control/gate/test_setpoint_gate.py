@@ -8,6 +8,7 @@ from robots.control.gate.authority import Authority
 from robots.control.gate.refusal import Limit
 from robots.control.gate.setpoint_gate import SetpointGate
 from robots.interface.robot import JointSetpoint
+from robots.models.description import load_robot
 
 PERIOD_S = 0.002
 ELBOW = "arm_right_4_joint"
@@ -16,6 +17,7 @@ ELBOW = "arm_right_4_joint"
 class Recorder:
     def __init__(self, description):
         self.description = description
+        self.hardware = load_robot(description.name).hardware
         self.commands = []
 
     def command(self, setpoint):
