@@ -8,6 +8,7 @@ from types import MappingProxyType
 from executive.language.clauses import (
     arrivals,
     before_command,
+    given_reasons,
     headings,
     sentences,
     stated_goals,
@@ -33,7 +34,6 @@ from executive.language.commands import (
     verbless,
     waiting,
 )
-from executive.language.motives import given_reasons
 from executive.language.noun_phrases import (
     amounts,
     appositions,

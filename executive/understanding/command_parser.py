@@ -17,7 +17,6 @@ from executive.language.chart import Chart, TooTangledError
 from executive.language.commands.speech import UNQUOTED
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
-from executive.language.motives.remarks import without_remarks
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
 from executive.language.phrases import Nominal, Trouble
 from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
@@ -125,8 +124,6 @@ class CommandParser:
             return unmarked
         if parsed.refusal is not None and (dictated := self._dictated(text, remembers)) is not None:
             return dictated
-        if parsed.refusal is not None and (asked := self._beside_remarks(text, remembers)) is not None:
-            return asked
         if (ended := self._ended_by_a_mark(text, parsed, remembers)) is not None:
             return ended
         sentences = lines_as_sentences(text)
@@ -165,19 +162,6 @@ class CommandParser:
             return None
         found = self.parse(written, remembers)
         return replace(found, text=text) if found.refusal is None else None
-
-    def _beside_remarks(self, text: str, remembers: bool) -> Parsed | None:
-        """What is asked beside remarks that say no more than why, if that is one thing."""
-        try:
-            lattice = self._lattice(text)
-        except MalformedTextError:
-            return None
-        for rest in without_remarks(lattice, self.vocabulary, self._rules["group"].first):
-            found = self._parsed(rest.text, remembers)
-            unsaid = not rest.behind or not any(isinstance(one, SayTask) for one in found.commands)
-            if found.commands and (unsaid or any(piece.quoted for piece in lattice.pieces)):
-                return replace(found, text=text)
-        return None
 
     def _ended_by_a_mark(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
         """What is said without the mark that is spoken behind it; a question where that may be a word."""

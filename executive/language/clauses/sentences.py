@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from executive.language.clauses.arrivals import as_done, done_by_then
 from executive.language.clauses.begun_by import in_base_form
+from executive.language.clauses.given_reasons import are_reasons_fit, doubts_of_reasons
 from executive.language.clauses.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.clauses.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.clauses.statements import is_statement
@@ -17,7 +18,6 @@ from executive.language.clauses.told import told_or_done
 from executive.language.clauses.told_after import with_what_is_told_after
 from executive.language.commands.set_speed import doubt_of_speed
 from executive.language.commands.the_same import with_the_same
-from executive.language.motives.given_reasons import are_reasons_fit, doubts_of_reasons
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Meaning, Nominal, Trouble
 

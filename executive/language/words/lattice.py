@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from executive.language.motives.free_reasons import FREE_REASON, free_reasons
 from executive.language.refusing.courtesies import is_condition
 from executive.language.words.addresses import BESIDE, is_beside, is_whole
 from executive.language.words.begun_twice import without_beginnings
@@ -106,10 +105,6 @@ class Lattice:
             self._add_name(*found, texts)
         for found in list(titled_names(pieces, plain, self._begins, vocabulary)):
             self._add_name(*found, texts)
-        for first, end in free_reasons(pieces, self._begins, self._nothing_said, vocabulary):
-            self._formed.setdefault(first, []).append(
-                Word(FREE_REASON, "reason", first, end, " ".join(texts[first:end]))
-            )
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 

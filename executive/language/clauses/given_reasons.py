@@ -60,15 +60,6 @@ def _reason_after(parts: Parts) -> Reason | None:
     return reason
 
 
-def _free_reason(parts: Parts) -> Any:
-    """A clause that is no more than a reason; right behind a command it can be no words to say either."""
-    return parts[-1]
-
-
-def _free_reason_apart(_parts: Parts) -> Reason:
-    return Reason()
-
-
 def doubts_of_reasons(parts: Parts) -> Trouble | None:
     """What has to be asked of a command and the reason behind it; None where nothing has."""
     for before, after in itertools.pairwise(parts):
@@ -126,7 +117,5 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "reason_state": _reason_state,
         "reason_blocks": _reason_blocks,
         "reason_after": _reason_after,
-        "free_reason": _free_reason,
-        "free_reason_apart": _free_reason_apart,
     }
 )
