@@ -11,7 +11,6 @@ from typing import Any
 
 from executive.config import cache_directory, config_files
 from executive.language.asking.about_doing import asks_about_doing, praises
-from executive.language.asking.alternatives import alternatives
 from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
 from executive.language.commands.speech import UNQUOTED
@@ -22,10 +21,6 @@ from executive.language.phrases import Nominal, Trouble
 from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.taken_back.contrasted_answers import contrasted_answer
-from executive.language.taken_back.contrasts import Reader, contrasted
-from executive.language.taken_back.corrections import corrected
-from executive.language.taken_back.meant_last import told_as_meant_first
 from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
 from executive.language.words.markup import (
@@ -54,7 +49,6 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
 
-_PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
 _SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
@@ -113,7 +107,6 @@ class CommandParser:
         self._rules = rules
         self._verbs = rules["command"].first - rules["transport"].first
         self._explainer = Explainer(vocabulary, self._is_valid, self._is_asked)
-        self._reader = Reader(self._only_commands, self._meanings_as, self._sort_of, rules["command"].first)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:
         """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
@@ -208,20 +201,6 @@ class CommandParser:
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
-        if all(isinstance(one, Trouble) for one in outcomes):
-            commands = corrected(lattice, self._rules["command"].first, self._only_commands)
-            commands = commands or contrasted(lattice, self._reader)
-            if commands is not None:
-                return Parsed(text, commands=commands, manners=lattice.manners())
-            if (meant := told_as_meant_first(lattice)) is not None:
-                found = self._parsed(meant, remembers)
-                if found.commands:
-                    return replace(found, text=text)
-            question = alternatives(
-                lattice, self._rules["command"].first, self._only_commands, self._only_asked
-            )
-            if question is not None:
-                return Parsed(text, question=question)
         if not outcomes:
             listed = with_commas(lattice)
             commands = None if listed is None else self._only_commands(listed)
@@ -246,7 +225,7 @@ class CommandParser:
             return None
         selections = {description_of(one) for one in found if isinstance(one, Selection)} - {None}
         if not selections:
-            return contrasted_answer(self._lattice(text), self._reader, self.parse_selection)
+            return None
         return selections.pop() if len(selections) == 1 else None
 
     def _lattice(self, text: str) -> Lattice:
@@ -298,23 +277,6 @@ class CommandParser:
             return outcomes_of(meanings, self._people_in, self._is_valid)
         except (MalformedTextError, TooTangledError):
             return []
-
-    def _meanings_as(self, rule: str, text: str) -> list[Any]:
-        """What a text means as a part of a sentence."""
-        try:
-            return self._chart(self._lattice(text)).meanings(rule)
-        except (MalformedTextError, TooTangledError):
-            return []
-
-    def _sort_of(self, kind: str) -> str:
-        """Whether a name is that of a room or of another place."""
-        words = kind.split()
-        classes = {
-            reading.word_class
-            for length, reading in self.vocabulary.matches(words, 0)
-            if length == len(words)
-        }
-        return "room" if "ROOM" in classes else "place" if classes & _PLACES else ""
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
