@@ -13,7 +13,6 @@ from executive.config import cache_directory, config_files
 from executive.language.asking.about_doing import asks_about_doing, praises
 from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
-from executive.language.commands.speech import UNQUOTED
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
@@ -21,18 +20,9 @@ from executive.language.phrases import Nominal, Trouble
 from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
-from executive.language.words.markup import (
-    with_others_between_marks,
-    without_marks,
-    without_quotation_marks,
-)
 from executive.language.words.piece import Piece
-from executive.language.words.records import sentences_of_records
-from executive.language.words.spoken_marks import with_spoken_marks, without_last_mark
 from executive.language.words.tokens import (
-    MAX_LENGTH,
     MalformedTextError,
     lines_as_sentences,
     normalise,
@@ -48,8 +38,6 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
-
-_SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
@@ -111,14 +99,6 @@ class CommandParser:
     def parse(self, text: str, remembers: bool = False) -> Parsed:
         """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
         parsed = self._parsed(text, remembers)
-        if not parsed.commands and (of_records := self._of_records(text, remembers)) is not None:
-            return of_records
-        if not parsed.commands and (unmarked := self._unmarked(text, parsed, remembers)) is not None:
-            return unmarked
-        if parsed.refusal is not None and (dictated := self._dictated(text, remembers)) is not None:
-            return dictated
-        if (ended := self._ended_by_a_mark(text, parsed, remembers)) is not None:
-            return ended
         sentences = lines_as_sentences(text)
         if sentences is None:
             return parsed
@@ -129,72 +109,11 @@ class CommandParser:
             return replace(of_lines, text=text)
         return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
 
-    def _unmarked(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
-        """What the text means without marks around its words, if it means nothing with them."""
-        if len(text) > MAX_LENGTH:
-            return None
-        plain = without_marks(text)
-        if (plain or without_quotation_marks(text)) is None or self._speaks(text):
-            return None  # "say `id`": they belong to the words
-        if plain is not None:
-            found = self.parse(plain, remembers)
-            others = (self.parse(other, remembers) for other in with_others_between_marks(text))
-            if found.refusal is not None or any(other.commands and _alike(found, other) for other in others):
-                return None
-            return replace(found, text=text)
-        plain = without_quotation_marks(text) if parsed.refusal is not None else None
-        if plain is None:
-            return None
-        found = self.parse(plain, remembers)
-        return replace(found, text=text) if found.commands else None
-
-    def _dictated(self, text: str, remembers: bool) -> Parsed | None:
-        """What the text means with the marks that are spoken in it, if it means nothing without."""
-        written = with_spoken_marks(text, self.vocabulary) if len(text) <= MAX_LENGTH else None
-        if written is None:
-            return None
-        found = self.parse(written, remembers)
-        return replace(found, text=text) if found.refusal is None else None
-
-    def _ended_by_a_mark(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
-        """What is said without the mark that is spoken behind it; a question where that may be a word."""
-        if not parsed.commands or not isinstance(parsed.commands[-1], SayTask):
-            return None
-        found = without_last_mark(text, self.vocabulary)
-        if found is None:
-            return None
-        plain, is_sure = found
-        if not is_sure:
-            return Parsed(
-                text, question=Question("is its last word to be said too, or does it end what is said?")
-            )
-        return replace(self.parse(plain, remembers), text=text)
-
-    def _speaks(self, text: str) -> bool:
-        """Whether some word of a text is about speaking, so that what is quoted may be said."""
-        said = [word for word, _, _ in split_words(text)]
-        read = (reading for start in range(len(said)) for _, reading in self.vocabulary.matches(said, start))
-        return any(reading.word_class in _SPEAKS for reading in read)
-
-    def _of_records(self, text: str, remembers: bool) -> Parsed | None:
-        """What "Action: grasp; Object: red cup" means, if that is one thing."""
-        if len(text) > MAX_LENGTH:
-            return None
-        found = [self._parsed(sentence, remembers) for sentence in sentences_of_records(text)]
-        understood = [one for one in found if one.commands]
-        if not understood and len(found) == 1:
-            return replace(found[0], text=text)
-        if not understood or not all(_alike(understood[0], one) for one in understood):
-            return None
-        return replace(understood[0], text=text)
-
     def _parsed(self, text: str, remembers: bool) -> Parsed:
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
-        if lattice.words_are_open:
-            return Parsed(text, question=Question(UNQUOTED))
         chart = self._chart(lattice)
         try:
             outcomes = outcomes_of(chart.meanings(), self._people_in, self._is_valid, remembers)
@@ -202,10 +121,6 @@ class CommandParser:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
         if not outcomes:
-            listed = with_commas(lattice)
-            commands = None if listed is None else self._only_commands(listed)
-            if commands is not None:
-                return Parsed(text, commands=commands, manners=lattice.manners())
             if not self._explainer.lacks_skill(lattice, chart):
                 missing = what_is_missing(lattice, chart, self._is_valid)
                 if missing is not None:

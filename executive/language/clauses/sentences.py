@@ -160,9 +160,17 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     forms = {clause.form for clause in clauses}
     if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
         return None
-    if runs_together(said):
+    if runs_together(said) or any(map(_is_begun_twice, said, said[1:])):
         return None
     return unclear_among(said) or Sentence(tuple(clauses), unseparated)
+
+
+def _is_begun_twice(before: Further, after: Further) -> bool:
+    """Whether the same is done again with nothing between: "wave wave to Ana" may be one wave or two."""
+    clauses = [one.part for one in (before, after) if isinstance(one.part, Clause) and one.part.bundles]
+    return after.separator is Separator.NOTHING and len({one.bundles[0][0].action for one in clauses}) < len(
+        clauses
+    )
 
 
 def _reports(clause: Clause) -> Any:

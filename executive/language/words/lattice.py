@@ -8,14 +8,12 @@ from dataclasses import replace
 
 from executive.language.refusing.courtesies import is_condition
 from executive.language.words.addresses import BESIDE, is_beside, is_whole
-from executive.language.words.begun_twice import without_beginnings
 from executive.language.words.colons import BEFORE_A_COLON
 from executive.language.words.contracted import uncontracted
 from executive.language.words.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.words.piece import Piece
 from executive.language.words.titles import titled_names
 from executive.language.words.unlisted_names import IsMistyped, unlisted_names
-from executive.language.words.wished import WISH, in_base_form
 from executive.language.words.word import Word
 from executive.vocabulary import Vocabulary
 
@@ -34,7 +32,7 @@ _BEFORE_ALL = "before_all"
 _NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
 """Word classes with which that is said of some of it only: "before doing anything in the kitchen"."""
 
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", WISH, "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {
@@ -72,7 +70,6 @@ class Lattice:
         plain: The normalised text.
         pieces: Its pieces.
         ends: Places after which nothing but courtesies and marks follow.
-        words_are_open: Whether a verb may be one of the words to say, or said of what is done after them.
     """
 
     def __init__(
@@ -83,17 +80,11 @@ class Lattice:
         is_mistyped: IsMistyped = lambda _plain, _piece: False,
     ) -> None:
         self.plain = plain
-        self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
+        self.pieces = pieces = list(uncontracted(pieces, vocabulary))
         size = len(pieces)
         texts = _texts_of(pieces)
         self._last_colon = max((at for at, piece in enumerate(pieces) if piece.text == ":"), default=-1)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
-        self.words_are_open = False
-        if any(WISH in classes for classes in self._begins):
-            pieces, self.words_are_open = in_base_form(pieces, self._begins, self._ended, vocabulary)
-            self.pieces = pieces
-            texts = _texts_of(pieces)
-            self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size

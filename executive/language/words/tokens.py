@@ -11,7 +11,6 @@ import unicodedata
 from collections.abc import Iterator
 
 from executive.language.words.piece import Piece
-from executive.language.words.stutter import without_stutter
 from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500
@@ -125,7 +124,7 @@ def pieces_of(plain: str) -> list[Piece]:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
-    return without_stutter(pieces)
+    return pieces
 
 
 def _refuse_malformed_bridge_word(token: str) -> None:
