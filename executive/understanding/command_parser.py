@@ -93,7 +93,7 @@ class CommandParser:
     def __init__(self, vocabulary: Vocabulary, rules: Mapping[str, Rule]) -> None:
         self.vocabulary = vocabulary
         self._rules = rules
-        self._verbs = rules["command"].first - rules["transport"].first
+        self._verbs = rules["command"].first
         self._explainer = Explainer(vocabulary, self._is_valid, self._is_asked)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:

@@ -12,7 +12,6 @@ _PRAISED = "praise"
 _PRAISE = frozenset({"good", "great", "well", "nice", "excellent", "perfect", "fine", "thanks", "thank"})
 """Words of what is said to whoever has done something, as well as before a command."""
 
-_THINGS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "IT", "THEM", "THIS"})
 _ASK = frozenset({"OPENING", "THERE_IS"})
 """What begins with "you" and asks for something, or states where it is: "you could", "you see"."""
 
@@ -23,8 +22,7 @@ def asks_about_doing(lattice: Lattice, verbs: AbstractSet[str]) -> bool:
     if not asks:
         return False
     said = [word for start in range(len(lattice.pieces)) for word in lattice.phrase(start)]
-    states = any(word.word_class == "SHALL_GO" and lattice.ends_with(word.start, _THINGS) for word in said)
-    states = states or any(word.word_class == "GETS" for word in said)
+    states = any(word.word_class == "GETS" for word in said)
     begun = [at for at in range(len(lattice.pieces)) if _begins_apart(lattice, at)]
     begins = {at: {word.word_class for word in lattice.phrase(at)} for at in begun}
     states = states or any(

@@ -30,7 +30,7 @@ _JOINS = frozenset({"SEP"})
 _LONGEST = 5
 """Words of the last phrase."""
 
-_MORE_VERBS = frozenset({"PICK_UP", "CARRY", "SHALL_GO"})
+_MORE_VERBS = frozenset({"PICK_UP", "CARRY"})
 _TAKES = frozenset({"PICK", "FETCH", "BRING"})
 """Word classes of verbs that may be done without saying where a thing goes: "take the box"."""
 

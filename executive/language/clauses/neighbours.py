@@ -63,9 +63,12 @@ def _may_use(clause: Clause) -> bool:
     return not isinstance(thing, Nominal) or thing.reference is None
 
 
+def _waves(clause: Clause) -> bool:
+    return bool(clause.bundles) and clause.bundles[0][0].action == "wave"
+
+
 def _waves_at_nobody(clause: Clause) -> bool:
-    first = clause.bundles[0][0] if clause.bundles else None
-    return first is not None and first.action == "wave" and first.get("person") is None
+    return _waves(clause) and clause.bundles[0][0].get("person") is None
 
 
 def _watches(clause: Clause) -> bool:

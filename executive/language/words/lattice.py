@@ -57,9 +57,6 @@ _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
-_HEADINGS = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_LABEL", "CAPTION_END"})
-"""Word classes of headings, which stand nowhere else: "exercise" is no skill, "exercise 3: ..." a heading."""
-
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -83,7 +80,6 @@ class Lattice:
         self.pieces = pieces = list(uncontracted(pieces, vocabulary))
         size = len(pieces)
         texts = _texts_of(pieces)
-        self._last_colon = max((at for at, piece in enumerate(pieces) if piece.text == ":"), default=-1)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
@@ -222,7 +218,6 @@ class Lattice:
             )
             for length, reading in vocabulary.matches(texts, start)
             if reading.word_class not in _NO_TERMINALS
-            and (start < self._last_colon or reading.word_class not in _HEADINGS)
         ]
         found += self._formed.get(start, ())
         if piece.quoted:
