@@ -24,7 +24,10 @@ _REFUSED_COMMANDS = frozenset(
 )
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
-_TOLD = frozenset({"command", "handled", "by_then"})
+_PARTS = frozenset({"SEP", "AND", "BECAUSE", "BEFORE", "AFTER"})
+"""Word classes that part a clause from what stands beside it."""
+
+_TOLD = frozenset({"command"})
 """Rules whose words are those of a task."""
 
 Spans = dict[int, dict[Any, None]]
@@ -61,6 +64,30 @@ class Chart:
             if self._lattice.ends[end]:
                 found.update(dict.fromkeys(values))
         return list(found)
+
+    def understood(self) -> tuple[int, int] | None:
+        """Where the longest part stands that is a command by itself; None where there is none."""
+        pieces, best = self._lattice.pieces, None
+        starts = [at for at in range(len(pieces)) if self._lattice.may_begin(at) or self._is_apart(at)]
+        try:
+            for start in starts:
+                for end, values in self._spans("clause", start).items():
+                    whole = self._lattice.ends[end] or self._is_apart(end) or pieces[end].is_mark
+                    orders = any(isinstance(one, Clause) and one.bundles for one in values)
+                    if whole and orders and (best is None or end - start > best[1] - best[0]):
+                        best = (start, end)
+        except TooTangledError:
+            return None
+        return best
+
+    def _is_apart(self, position: int) -> bool:
+        """Whether a clause may begin at a place, for what stands before it parts clauses."""
+        if position >= len(self._lattice.pieces):
+            return False
+        before = position > 0 and self._lattice.pieces[position - 1].is_mark
+        return (
+            before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
+        )
 
     def begins_command(self, words: Iterable[Word]) -> bool:
         """Whether one of some words can begin a command."""

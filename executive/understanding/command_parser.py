@@ -3,33 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
-from executive.language.asking.about_doing import asks_about_doing, praises
-from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
+from executive.language.explain.missing import what_is_missing
+from executive.language.explain.refusals import EXAMPLES, Explainer, printable
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
 from executive.language.phrases import Nominal, Trouble
-from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
 from executive.language.words.lattice import Lattice
 from executive.language.words.piece import Piece
 from executive.language.words.tokens import (
     MalformedTextError,
-    lines_as_sentences,
     normalise,
     pieces_of,
 )
 from executive.language.words.unlisted_names import looks_like_a_name
-from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
+from executive.meaning import Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
@@ -94,42 +91,25 @@ class CommandParser:
         self.vocabulary = vocabulary
         self._rules = rules
         self._verbs = rules["command"].first
-        self._explainer = Explainer(vocabulary, self._is_valid, self._is_asked)
+        self._explainer = Explainer(vocabulary)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:
-        """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
-        parsed = self._parsed(text, remembers)
-        sentences = lines_as_sentences(text)
-        if sentences is None:
-            return parsed
-        of_lines = self._parsed(sentences, remembers)
-        if not of_lines.commands:
-            return parsed
-        if not parsed.commands or _alike(parsed, of_lines):
-            return replace(of_lines, text=text)
-        return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
-
-    def _parsed(self, text: str, remembers: bool) -> Parsed:
+        """Understand one text; a line that ends without a mark ends a sentence."""
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
         chart = self._chart(lattice)
         try:
-            outcomes = outcomes_of(chart.meanings(), self._people_in, self._is_valid, remembers)
+            outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
         if not outcomes:
-            if not self._explainer.lacks_skill(lattice, chart):
-                missing = what_is_missing(lattice, chart, self._is_valid)
-                if missing is not None:
-                    return Parsed(text, question=missing)
+            missing = what_is_missing(lattice, chart)
+            if missing is not None:
+                return Parsed(text, question=missing)
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
-        if asks_about_doing(lattice, self._verbs):
-            return Parsed(text, question=Question("is that asked about, or shall it be done?"))
-        if praises(lattice):
-            return Parsed(text, question=Question("is that praise for it, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
@@ -150,48 +130,11 @@ class CommandParser:
     def _chart(self, lattice: Lattice) -> Chart:
         return Chart(self._rules, _MEANINGS, lattice)
 
-    def _is_valid(self, text: str) -> bool:
-        """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
-        try:
-            plain = normalise(text)
-            lattice = Lattice(plain, pieces_of(plain), self.vocabulary)
-            outcomes = outcomes_of(self._chart(lattice).meanings(), self._people_in)
-        except (MalformedTextError, TooTangledError):
-            return False
-        return sum(not isinstance(one, Trouble) for one in outcomes) == 1
-
-    def _is_asked(self, text: str) -> bool:
-        """Whether a sentence is understood but for something that is asked; it explains nothing."""
-        if self._only_asked(text) is not None:
-            return True
-        try:
-            lattice = self._lattice(text)
-            chart = self._chart(lattice)
-            chart.meanings()
-            return what_is_missing(lattice, chart, self._is_valid) is not None
-        except (MalformedTextError, TooTangledError):
-            return False
-
-    def _only_commands(self, text: str) -> tuple[Command, ...] | None:
-        """The commands of a sentence that means one thing; it explains nothing."""
-        understood = [one for one in self._outcomes(text) if not isinstance(one, Trouble)]
-        return understood[0] if len(understood) == 1 else None
-
-    def _only_asked(self, text: str) -> str | None:
-        """What a sentence leaves open that means nothing else; it explains nothing."""
-        outcomes = self._outcomes(text)
-        troubles = [one for one in outcomes if isinstance(one, Trouble)]
-        if not troubles or len(troubles) < len(outcomes):
-            return None
-        best = min(troubles, key=explains_best)
-        return best.message if best.asks else None
-
-    def _outcomes(self, text: str) -> list[Outcome]:
-        try:
-            meanings = self._chart(self._lattice(text)).meanings()
-            return outcomes_of(meanings, self._people_in, self._is_valid)
-        except (MalformedTextError, TooTangledError):
-            return []
+    def _may_command(self, text: str) -> bool:
+        """Whether words to say begin as a command does."""
+        said = [word for word, _, _ in split_words(text)]
+        first = self.vocabulary.matches(said, 0) if said else ()
+        return any(reading.word_class in self._verbs for _, reading in first)
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
@@ -238,9 +181,3 @@ class CommandParser:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
-
-
-def _alike(one: Parsed, other: Parsed) -> bool:
-    return [command_json(command) for command in one.commands] == [
-        command_json(command) for command in other.commands
-    ]

@@ -107,9 +107,10 @@ def _briefly(parts: Parts) -> Clause | None:
     return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
 
 
-def _impatiently(parts: Parts) -> Clause | None:
-    """Close the door already: it is done as soon as any other command is."""
-    return _clause(parts[:-1])
+def _maybe_ordered(parts: Parts) -> Trouble:
+    """A command that is asked about, permitted, planned or hoped for: "are you able to open the fridge?"."""
+    said = words(parts, "MAYBE_ORDER")[0].said
+    return Trouble("is that asked or told, or shall it be done?", said, asks=True)
 
 
 def _is_taken_or_seen(command: Clause) -> bool:
@@ -182,7 +183,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "ordinal_step": _ordinal_step,
         "clause": _clause,
         "briefly": _briefly,
-        "impatiently": _impatiently,
+        "maybe_ordered": _maybe_ordered,
         "clause_with_hand": _clause_with_hand,
         "hand_moves": _hand_moves,
     }

@@ -135,7 +135,7 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if any(after.terse and is_endless(before) for before, after in itertools.pairwise(clauses)):
         return None  # "turn left, then right 90 degrees": how far to the left?
     forms = {clause.form for clause in clauses}
-    if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
+    if forms - {"base"}:
         return None
     if runs_together(said) or any(map(_is_begun_twice, said, said[1:])):
         return None

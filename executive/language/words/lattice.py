@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from executive.language.refusing.courtesies import is_condition
 from executive.language.words.addresses import BESIDE, is_beside, is_whole
 from executive.language.words.colons import BEFORE_A_COLON
 from executive.language.words.contracted import uncontracted
@@ -42,12 +41,6 @@ _COMPLETE = frozenset(
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
-_MAY_BE_CONDITIONS = ("if you ", "when you ", "whenever you ")
-"""How courtesies begin that with a verb behind them are conditions."""
-_BEHIND_A_COURTESY = frozenset(
-    {"SEP", "AND", "DET", "AMOUNT", "MANY", FILLER, "TO", "FROM", "IN", "ON", "INTO", "WITH"}
-)
-"""Word classes with which what was said before a courtesy goes on."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
@@ -74,7 +67,7 @@ class Lattice:
         plain: str,
         pieces: Sequence[Piece],
         vocabulary: Vocabulary,
-        is_mistyped: IsMistyped = lambda _plain, _piece: False,
+        is_mistyped: IsMistyped = lambda _word: False,
     ) -> None:
         self.plain = plain
         self.pieces = pieces = list(uncontracted(pieces, vocabulary))
@@ -134,10 +127,6 @@ class Lattice:
         """
         if word.word_class == "ADDRESSED":
             return self._is_address(word)
-        if word.said.startswith(_MAY_BE_CONDITIONS) and self._goes_on_behind(word):
-            return False  # "bring me the cup if you can find it"
-        if is_condition(word.said, "".join(texts[word.end : word.end + 1])):
-            return False
         if word.word_class == FILLER:
             return "SAY" not in self._ended[word.start] and not (
                 word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
@@ -161,12 +150,6 @@ class Lattice:
             for length, reading in vocabulary.matches(texts, before)
         )
         return not complete or says_nothing(word.start, word.end, self.pieces, self._begins, self._ended)
-
-    def _goes_on_behind(self, word: Word) -> bool:
-        """Whether what follows a courtesy may belong to it, so that it is a condition."""
-        if word.word_class != FILLER or self._nothing_said[word.start] or word.end >= len(self.pieces):
-            return False
-        return not self.pieces[word.end].is_mark and self._begins[word.end].isdisjoint(_BEHIND_A_COURTESY)
 
     def _is_address(self, word: Word) -> bool:
         """Whether the robot is addressed: at first, beside a mark, or at the end behind what is whole."""

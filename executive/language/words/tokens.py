@@ -84,6 +84,7 @@ def normalise(text: str) -> str:
     code = invisible_in(text, _SPACES)
     if code is not None:
         raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
+    text = _LINE_END.sub(". ", text.strip())
     plain = " ".join(unicodedata.normalize("NFKC", _AFTER_A_NUMBER.sub(" ", text)).translate(_PLAIN).split())
     if not ({'"', "'"} & set(plain)):
         plain = _NO_ZERO.sub("0.", plain)
@@ -101,14 +102,6 @@ def normalise(text: str) -> str:
     if len(plain) > MAX_LENGTH:
         raise MalformedTextError(f"the sentence has more than {MAX_LENGTH} characters")
     return plain
-
-
-def lines_as_sentences(text: str) -> str | None:
-    """The text with a full stop at the end of each line that has no mark; None where no line has none."""
-    if "\n" not in text or len(text) > MAX_LENGTH:
-        return None
-    broken = _LINE_END.sub(". ", text.strip())
-    return None if broken == text.strip() else broken
 
 
 def pieces_of(plain: str) -> list[Piece]:

@@ -1,21 +1,21 @@
 """What a sentence leaves out, asked for: "put the bowl" (where?), "pick up" (what?), "the red cup".
 
-Whether something is missing, and what, is found by trying: a sentence that breaks off is one that words which
-are known to fit ("missing.toml") make whole. Nothing is ever filled in; the words are only asked about.
+A sentence breaks off where the grammar goes on behind its last word with one of the word classes that
+"missing.toml" lists for a gap. Nothing is ever filled in; it is only asked about.
 """
 
 from __future__ import annotations
 
 import importlib.resources
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from executive.language.chart import Chart
+from executive.language.explain.examples import is_verb
 from executive.language.phrases import Item, Items, Where
-from executive.language.refusing.examples import is_verb
 from executive.language.words.lattice import Lattice
 from executive.language.words.word import Word
 from executive.meaning import Question
@@ -23,10 +23,6 @@ from executive.meaning import Question
 MAX_WORDS = 30
 """Words of a sentence whose end is looked for."""
 
-MAX_CLAUSES = 3
-"""Clauses at whose end something may be missing, besides the last."""
-
-_JOINS = frozenset({"SEP"})
 _LONGEST = 5
 """Words of the last phrase."""
 
@@ -42,51 +38,48 @@ _REFUSED_ALONE = frozenset({"NO_SKILL", "HARM", "THROW", "ASK", "PRAISED", "GO_H
 _NAMED = frozenset({"thing", "container", "furniture", "door"})
 _NAMES = frozenset({"NAME", "OWNER"})
 
-IsValid = Callable[[str], bool]
-
 
 @dataclass(frozen=True, slots=True)
 class _Gap:
     """Something that may be missing; see the head of "missing.toml"."""
 
     asks: str
-    tried: tuple[str, ...]
+    expects: frozenset[str]
     after: frozenset[str]
     said: frozenset[str]
     unless: frozenset[str]
     verbs: frozenset[str]
     begins: bool
-    each: bool
+    units: Mapping[str, str]
     no_goal: bool
 
     @classmethod
     def of(cls, written: Mapping[str, Any]) -> _Gap:
         return cls(
             asks=written["asks"],
-            tried=tuple(written["tried"]),
+            expects=frozenset(written["expects"]),
             after=frozenset(written["after"]),
             said=frozenset(written.get("said", ())),
             unless=frozenset(written.get("unless", ())),
             verbs=frozenset(written.get("verbs", ())),
             begins=written.get("begins", False),
-            each=written.get("each", False),
+            units=written.get("units", {}),
             no_goal=written.get("no_goal", False),
         )
 
 
 @cache
 def _gaps() -> tuple[_Gap, ...]:
-    text = importlib.resources.files("executive.language.asking").joinpath("missing.toml").read_text("utf-8")
+    text = importlib.resources.files("executive.language.explain").joinpath("missing.toml").read_text("utf-8")
     return tuple(_Gap.of(one) for one in tomllib.loads(text)["missing"])
 
 
-def what_is_missing(lattice: Lattice, chart: Chart, is_valid: IsValid) -> Question | None:
+def what_is_missing(lattice: Lattice, chart: Chart) -> Question | None:
     """The question for what a sentence leaves out; None where it is whole, or more than that is wrong.
 
     Args:
         lattice: The sentence, of which no reading makes sense.
         chart: How far it was followed.
-        is_valid: Whether a text makes tasks.
     """
     pieces = lattice.pieces
     if not pieces or len(pieces) > MAX_WORDS or lattice.unknown() is not None:
@@ -94,24 +87,19 @@ def what_is_missing(lattice: Lattice, chart: Chart, is_valid: IsValid) -> Questi
     named = _only_named(lattice, chart)
     if named is not None:
         return named
-    return next((one for one in _questions(lattice, chart, is_valid) if one is not None), None)
+    return next(_questions(lattice, chart), None)
 
 
-def _questions(lattice: Lattice, chart: Chart, is_valid: IsValid) -> Iterator[Question | None]:
-    """The question for each gap that there may be, at the end of the sentence and of clauses before it.
-
-    Before another clause only a goal and a unit are asked for: "find and open the fridge" lacks neither.
-    """
-    pieces, plain = lattice.pieces, lattice.plain
-    last = _end(lattice, 0)
-    joins = [one for one in range(1, last) if lattice.begins_with(one, _JOINS) or pieces[one].is_mark]
-    for end in (last, *joins[:MAX_CLAUSES]):
-        if not 0 < end <= chart.furthest:
-            continue
-        before, behind = plain[: pieces[end - 1].end], plain[pieces[end - 1].end :]
-        for gap in _gaps():
-            if (end == last or gap.no_goal or gap.each) and _may_be(gap, lattice, end):
-                yield _asked(gap, before, behind, is_valid)
+def _questions(lattice: Lattice, chart: Chart) -> Iterator[Question]:
+    """The question for each gap that there may be at the end of the sentence."""
+    end = _end(lattice, 0)
+    if chart.furthest < end or not end:
+        return
+    before = lattice.plain[: lattice.pieces[end - 1].end]
+    behind = lattice.plain[lattice.pieces[end - 1].end :]
+    for gap in _gaps():
+        if not gap.expects.isdisjoint(chart.expected) and _may_be(gap, lattice, end):
+            yield _asked(gap, before, behind, chart)
 
 
 def _end(lattice: Lattice, start: int) -> int:
@@ -119,16 +107,13 @@ def _end(lattice: Lattice, start: int) -> int:
     return next(one for one in range(start, len(lattice.pieces) + 1) if lattice.ends[one])
 
 
-def _asked(gap: _Gap, before: str, behind: str, is_valid: IsValid) -> Question | None:
-    """The question for a gap, if words make it whole."""
+def _asked(gap: _Gap, before: str, behind: str, chart: Chart) -> Question:
+    """The question for a gap; of units, which of them fit."""
     completes = (f"{before} ", behind)
-    if not gap.each:
-        fits = any(is_valid(f"{before} {words}{behind}") for words in gap.tried)
-        return Question(f"{before} {gap.asks}?", completes=completes) if fits else None
-    fitting = [words for words in gap.tried if is_valid(f"{before} {words}{behind}")]
+    fitting = [unit for name, unit in gap.units.items() if name in chart.expected]
     if not fitting:
-        return None
-    choices = tuple(f"{before} {words}{behind}".rstrip(" .!?") for words in fitting)
+        return Question(f"{before} {gap.asks}?", completes=completes)
+    choices = tuple(f"{before} {unit}{behind}".rstrip(" .!?") for unit in fitting)
     return Question(f"{before} {gap.asks}: {' or '.join(fitting)}?", choices, completes)
 
 
