@@ -107,6 +107,17 @@ def _briefly(parts: Parts) -> Clause | None:
     return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
 
 
+def _minding(parts: Parts) -> Clause | None:
+    """A command in the form of "would you mind opening it"."""
+    command: Clause = parts[-1]
+    return replace(command, form="base") if command.form == "ing" else None
+
+
+def _warned(_parts: Parts) -> Trouble:
+    """A warning before a statement: "careful, the cup is hot. Pick it up"."""
+    return Trouble("that is a warning: shall it be done all the same?", asks=True, rivals=True)
+
+
 def _maybe_ordered(parts: Parts) -> Trouble:
     """A command that is asked about, permitted, planned or hoped for: "are you able to open the fridge?"."""
     said = words(parts, "MAYBE_ORDER")[0].said
@@ -183,6 +194,8 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "ordinal_step": _ordinal_step,
         "clause": _clause,
         "briefly": _briefly,
+        "minding": _minding,
+        "warned": _warned,
         "maybe_ordered": _maybe_ordered,
         "clause_with_hand": _clause_with_hand,
         "hand_moves": _hand_moves,

@@ -24,6 +24,9 @@ _SHOWN = 40
 _SHOWN_OF_A_PART = 80
 """Characters of what was understood, and of what was not, that are repeated to the user."""
 
+_KNOWN_WORDS = 3
+"""So many words of a sentence must be known for one that is mistyped: another language is not mended."""
+
 _ANYWHERE = ("deciding", "taking_back", "forbidding")
 """Lists of word classes that explain a refusal wherever they stand, the best first."""
 
@@ -94,7 +97,8 @@ class Explainer:
         for position in places:
             words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
             for word in sorted(words, key=lambda one: -one.end):
-                if (only is None or word.word_class in only) and self._message(word) is not None:
+                wanted = word.word_class in only if only else word.word_class not in classes_of("small_words")
+                if wanted and self._message(word) is not None:
                     yield word
 
     def _message(self, word: Word) -> str | None:
@@ -156,15 +160,28 @@ class Explainer:
         """Refuse an unknown word, with the known one that may have been meant."""
         text = lattice.pieces[position].text
         shown = printable(text)
-        message = f"the word {shown!r} is not known"
+        message, nearest = f"the word {shown!r} is not known", self.nearest_example(lattice.plain)
         part = self._part(lattice, understood)
         if part:
             message = f"I understood {part!r}; {message}"
         expected = chart.expected if position == chart.furthest else None
         near = [one for one in meant_by(text, self._vocabulary.single_words) if self._fits(one, expected)]
         if near:
-            message = f"{message}; did you mean {near[0]!r}?"
-        return Refusal(message, shown, self.nearest_example(lattice.plain))
+            message, nearest = f"{message}; did you mean {near[0]!r}?", self._mended(lattice) or nearest
+        return Refusal(message, shown, nearest)
+
+    def _mended(self, lattice: Lattice) -> str | None:
+        """The sentence with a known word for each unknown one; None where too much of it is unknown."""
+        unknown = lattice.unknown_pieces()
+        plain = lattice.plain
+        if len(unknown) * _KNOWN_WORDS > len(lattice.pieces):
+            return None
+        for piece in reversed(unknown):
+            near = meant_by(piece.text, self._vocabulary.single_words)
+            if not near:
+                return None
+            plain = plain[: piece.start] + near[0] + plain[piece.end :]
+        return plain
 
     def _fits(self, word: str, expected: AbstractSet[str] | None) -> bool:
         """Whether a word may stand where some word classes are expected."""

@@ -7,8 +7,8 @@ import string
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
-SHORTEST, LONGEST = 4, 24
-"""Letters of a word that is looked at: any three are too soon another word."""
+SHORTEST, LONGEST = 3, 24
+"""Letters of a word that is looked at; one of three may only lack a letter, else it is another word."""
 
 
 def meant_by(word: str, known: AbstractSet[str]) -> list[str]:
@@ -20,7 +20,9 @@ def meant_by(word: str, known: AbstractSet[str]) -> list[str]:
     """
     if not SHORTEST <= len(word) <= LONGEST or not word.isalpha() or word in known:
         return []
-    found = {one for one in _one_edit_away(word) if one in known and len(one) >= SHORTEST - 1}
+    found = {
+        one for one in _one_edit_away(word) if one in known and (len(one) > SHORTEST or len(word) > SHORTEST)
+    }
     return sorted(found, key=lambda one: (sorted(one) != sorted(word), -_ratio(word, one), one))
 
 

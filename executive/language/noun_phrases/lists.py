@@ -276,9 +276,13 @@ def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
     """The red and the blue box: two boxes; or more than two."""
     noun = nominal_of(parts)
     features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    if noun is None or noun.plural or len(words(parts, "DET")) != len(features):
+    if noun is None or len(words(parts, "DET")) != (1 if noun.plural else len(features)):
         return None
-    each = [described(replace(noun, determined=True), (feature,)) for feature in features]
+    if noun.plural and len({feature.slot for feature in features if isinstance(feature, Feature)}) != 1:
+        return None  # "the red and big cups" may be both
+    ranked = any(isinstance(one, Feature) and one.slot == "ordinal" for one in features)
+    noun = replace(noun, determined=True, plural=noun.plural and not ranked)
+    each = [described(noun, (feature,)) for feature in features]
     trouble = next((one for one in each if isinstance(one, Trouble)), None)
     if trouble is not None:
         return trouble

@@ -31,8 +31,8 @@ _PLAIN = str.maketrans(
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
-_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
-"""The end of a line without a mark."""
+_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=[A-Z0-9])")
+"""The end of a line without a mark, before one that begins as a sentence does."""
 
 _AFTER_A_NUMBER = re.compile("(?<=[0-9])(?=[\u00bc-\u00be\u2150-\u215e])")
 """Where a sign for a fraction follows a number: "1½" is no eleven halves."""
