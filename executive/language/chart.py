@@ -7,6 +7,7 @@ that the work grows with the length and not with the number of parses. Parses th
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
 
@@ -49,7 +50,7 @@ class Chart:
         self._known: dict[tuple[str, int], Spans] = {}
         self._steps = 0
         self.furthest = 0
-        self.expected: set[str] = set()
+        self._expected: dict[int, set[str]] = {}
         self.unfit = False
         """Whether a command reaches the end of the sentence and its parts do not go together."""
 
@@ -64,6 +65,15 @@ class Chart:
             if self._lattice.ends[end]:
                 found.update(dict.fromkeys(values))
         return list(found)
+
+    @property
+    def expected(self) -> AbstractSet[str]:
+        """Word classes with which the grammar goes on where the sentence was followed furthest."""
+        return self.expected_at(self.furthest)
+
+    def expected_at(self, position: int) -> AbstractSet[str]:
+        """Word classes with which the grammar goes on at a place."""
+        return self._expected.get(position, frozenset())
 
     def understood(self) -> tuple[int, int] | None:
         """Where the longest part stands that is a command by itself; None where there is none."""
@@ -162,9 +172,6 @@ class Chart:
         return parts[0] if len(parts) == 1 else None
 
     def _missed(self, position: int, classes: Any) -> None:
-        if not classes or position < self.furthest:
-            return
-        if position > self.furthest:
-            self.furthest = position
-            self.expected = set()
-        self.expected.update(classes)
+        if classes:
+            self.furthest = max(self.furthest, position)
+            self._expected.setdefault(position, set()).update(classes)

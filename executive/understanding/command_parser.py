@@ -107,7 +107,7 @@ class CommandParser:
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
         if not outcomes:
             missing = what_is_missing(lattice, chart)
-            if missing is not None:
+            if missing is not None and not self._explainer.forbids(lattice, chart):
                 return Parsed(text, question=missing)
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
         return self._answer(text, outcomes, lattice.manners())

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.resources
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -97,9 +98,10 @@ def _questions(lattice: Lattice, chart: Chart) -> Iterator[Question]:
         return
     before = lattice.plain[: lattice.pieces[end - 1].end]
     behind = lattice.plain[lattice.pieces[end - 1].end :]
+    expected = chart.expected_at(end)
     for gap in _gaps():
-        if not gap.expects.isdisjoint(chart.expected) and _may_be(gap, lattice, end):
-            yield _asked(gap, before, behind, chart)
+        if not gap.expects.isdisjoint(expected) and _may_be(gap, lattice, end):
+            yield _asked(gap, before, behind, expected)
 
 
 def _end(lattice: Lattice, start: int) -> int:
@@ -107,10 +109,10 @@ def _end(lattice: Lattice, start: int) -> int:
     return next(one for one in range(start, len(lattice.pieces) + 1) if lattice.ends[one])
 
 
-def _asked(gap: _Gap, before: str, behind: str, chart: Chart) -> Question:
+def _asked(gap: _Gap, before: str, behind: str, expected: AbstractSet[str]) -> Question:
     """The question for a gap; of units, which of them fit."""
     completes = (f"{before} ", behind)
-    fitting = [unit for name, unit in gap.units.items() if name in chart.expected]
+    fitting = [unit for name, unit in gap.units.items() if name in expected]
     if not fitting:
         return Question(f"{before} {gap.asks}?", completes=completes)
     choices = tuple(f"{before} {unit}{behind}".rstrip(" .!?") for unit in fitting)

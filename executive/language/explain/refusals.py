@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.resources
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from functools import cache
 
@@ -24,7 +24,7 @@ _SHOWN = 40
 _SHOWN_OF_A_PART = 80
 """Characters of what was understood, and of what was not, that are repeated to the user."""
 
-_KNOWN_WORDS = 3
+_KNOWN_WORDS = 2
 """So many words of a sentence must be known for one that is mistyped: another language is not mended."""
 
 _ANYWHERE = ("deciding", "taking_back", "forbidding")
@@ -46,6 +46,14 @@ def classes_of(name: str) -> frozenset[str]:
     return frozenset(tomllib.loads(text)[name])
 
 
+@cache
+def messages() -> Mapping[str, str]:
+    """What is said of word classes that the grammar uses, where a sentence breaks off at one."""
+    folder = importlib.resources.files("executive.language.explain")
+    found: Mapping[str, str] = tomllib.loads(folder.joinpath("refusals.toml").read_text("utf-8"))["messages"]
+    return found
+
+
 class Explainer:
     """Finds the words that caused a refusal."""
 
@@ -63,20 +71,20 @@ class Explainer:
             found = next(self._refused(lattice, classes_of(name), range(len(lattice.pieces))), None)
             if found is not None:
                 return self._told(found, lattice, understood)
-        unknown = lattice.unknown()
-        if unknown is not None and unknown <= broken:
-            return self._unknown(lattice, chart, unknown, understood)
         begun = self._begun_with_no_skill(lattice, chart)
         if begun is not None:
             return self._told(begun, lattice, understood)
+        unknown = lattice.unknown()
+        if unknown is not None and unknown <= broken:
+            return self._unknown(lattice, chart, unknown, understood)
         if understood is not None:
             return self._only_a_part(lattice, understood)
         if unknown is not None:
             return self._unknown(lattice, chart, unknown, None)
-        here = self._refused(lattice, None, (broken, broken - 1, 0))
+        here = self._refused(lattice, None, (broken, broken - 1), chart)
         ended = broken >= len(lattice.pieces) or lattice.ends[broken]
         last = classes_of("at_last")
-        found = next(self._refused(lattice, last, range(len(lattice.pieces))) if ended else here, None)
+        found = next(self._refused(lattice, last, range(len(lattice.pieces)), chart) if ended else here, None)
         if found is not None:
             return self._told(found, lattice, None)
         if ended and chart.has_beginning_of("command"):
@@ -90,12 +98,24 @@ class Explainer:
             message = f"{shown!r} does not fit after {before!r}"
         return Refusal(message, shown, self.nearest_example(lattice.plain))
 
+    def forbids(self, lattice: Lattice, chart: Chart) -> bool:
+        """Whether a word of a sentence is never acted on, so that nothing is asked about the rest."""
+        places = range(len(lattice.pieces))
+        found = (next(self._refused(lattice, classes_of(name), places), None) for name in _ANYWHERE)
+        return any(one is not None for one in found) or self._begun_with_no_skill(lattice, chart) is not None
+
     def _refused(
-        self, lattice: Lattice, only: frozenset[str] | None, places: Sequence[int]
+        self,
+        lattice: Lattice,
+        only: frozenset[str] | None,
+        places: Sequence[int],
+        chart: Chart | None = None,
     ) -> Iterator[Word]:
         """Words that are known and never acted on, of some classes, the longest of each place first."""
         for position in places:
             words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
+            if chart is not None and chart.begins_command(words):
+                continue
             for word in sorted(words, key=lambda one: -one.end):
                 wanted = word.word_class in only if only else word.word_class not in classes_of("small_words")
                 if wanted and self._message(word) is not None:
@@ -103,7 +123,11 @@ class Explainer:
 
     def _message(self, word: Word) -> str | None:
         """What a word is refused with; None where it is none that is refused."""
-        return self._vocabulary.refusal_of(word.word_class, word.meaning, printable(word.said))
+        said = printable(word.said)
+        used = messages().get(word.word_class)
+        if used is not None:
+            return used.format(word=said)
+        return self._vocabulary.refusal_of(word.word_class, word.meaning, said)
 
     def _told(self, word: Word, lattice: Lattice, understood: tuple[int, int] | None) -> Refusal:
         """Refuse a word, and say what was understood beside it."""
@@ -136,10 +160,9 @@ class Explainer:
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, len(lattice.pieces))):
             joined = start > 0 and (lattice.pieces[start - 1].is_mark or lattice.ends_with(start, _JOINS))
             words = lattice.phrase(start) if joined or lattice.may_begin(start) else ()
-            if not chart.begins_command(words):
-                done = next(self._refused(lattice, classes_of("of_no_skill"), (start,)), None)
-                if done is not None:
-                    return done
+            done = next(self._refused(lattice, classes_of("of_no_skill"), (start,)), None) if words else None
+            if done is not None and not chart.begins_command(one for one in words if one.end >= done.end):
+                return done
         return None
 
     def _together(self, lattice: Lattice) -> Refusal:
@@ -166,22 +189,9 @@ class Explainer:
             message = f"I understood {part!r}; {message}"
         expected = chart.expected if position == chart.furthest else None
         near = [one for one in meant_by(text, self._vocabulary.single_words) if self._fits(one, expected)]
-        if near:
-            message, nearest = f"{message}; did you mean {near[0]!r}?", self._mended(lattice) or nearest
+        if near and len(lattice.unknown_pieces()) * _KNOWN_WORDS <= len(lattice.pieces):
+            message = f"{message}; did you mean {near[0]!r}?"
         return Refusal(message, shown, nearest)
-
-    def _mended(self, lattice: Lattice) -> str | None:
-        """The sentence with a known word for each unknown one; None where too much of it is unknown."""
-        unknown = lattice.unknown_pieces()
-        plain = lattice.plain
-        if len(unknown) * _KNOWN_WORDS > len(lattice.pieces):
-            return None
-        for piece in reversed(unknown):
-            near = meant_by(piece.text, self._vocabulary.single_words)
-            if not near:
-                return None
-            plain = plain[: piece.start] + near[0] + plain[piece.end :]
-        return plain
 
     def _fits(self, word: str, expected: AbstractSet[str] | None) -> bool:
         """Whether a word may stand where some word classes are expected."""
