@@ -84,7 +84,7 @@ class Explainer:
         here = self._refused(lattice, None, (broken, broken - 1), chart)
         ended = broken >= len(lattice.pieces) or lattice.ends[broken]
         last = classes_of("at_last")
-        found = next(self._refused(lattice, last, range(len(lattice.pieces)), chart) if ended else here, None)
+        found = next(self._refused(lattice, last, range(len(lattice.pieces))) if ended else here, None)
         if found is not None:
             return self._told(found, lattice, None)
         if ended and chart.has_beginning_of("command"):
