@@ -7,6 +7,7 @@ that the work grows with the length and not with the number of parses. Parses th
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
 
@@ -24,7 +25,10 @@ _REFUSED_COMMANDS = frozenset(
 )
 """Word classes that begin a command which is refused: "say hi and jump"."""
 
-_TOLD = frozenset({"command", "handled", "by_then"})
+_PARTS = frozenset({"SEP", "AND", "BECAUSE", "BEFORE", "AFTER"})
+"""Word classes that part a clause from what stands beside it."""
+
+_TOLD = frozenset({"command"})
 """Rules whose words are those of a task."""
 
 Spans = dict[int, dict[Any, None]]
@@ -46,7 +50,7 @@ class Chart:
         self._known: dict[tuple[str, int], Spans] = {}
         self._steps = 0
         self.furthest = 0
-        self.expected: set[str] = set()
+        self._expected: dict[int, set[str]] = {}
         self.unfit = False
         """Whether a command reaches the end of the sentence and its parts do not go together."""
 
@@ -61,6 +65,39 @@ class Chart:
             if self._lattice.ends[end]:
                 found.update(dict.fromkeys(values))
         return list(found)
+
+    @property
+    def expected(self) -> AbstractSet[str]:
+        """Word classes with which the grammar goes on where the sentence was followed furthest."""
+        return self.expected_at(self.furthest)
+
+    def expected_at(self, position: int) -> AbstractSet[str]:
+        """Word classes with which the grammar goes on at a place."""
+        return self._expected.get(position, frozenset())
+
+    def understood(self) -> tuple[int, int] | None:
+        """Where the longest part stands that is a command by itself; None where there is none."""
+        pieces, best = self._lattice.pieces, None
+        starts = [at for at in range(len(pieces)) if self._lattice.may_begin(at) or self._is_apart(at)]
+        try:
+            for start in starts:
+                for end, values in self._spans("clause", start).items():
+                    whole = self._lattice.ends[end] or self._is_apart(end) or pieces[end].is_mark
+                    orders = any(isinstance(one, Clause) and one.bundles for one in values)
+                    if whole and orders and (best is None or end - start > best[1] - best[0]):
+                        best = (start, end)
+        except TooTangledError:
+            return None
+        return best
+
+    def _is_apart(self, position: int) -> bool:
+        """Whether a clause may begin at a place, for what stands before it parts clauses."""
+        if position >= len(self._lattice.pieces):
+            return False
+        before = position > 0 and self._lattice.pieces[position - 1].is_mark
+        return (
+            before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
+        )
 
     def begins_command(self, words: Iterable[Word]) -> bool:
         """Whether one of some words can begin a command."""
@@ -135,9 +172,6 @@ class Chart:
         return parts[0] if len(parts) == 1 else None
 
     def _missed(self, position: int, classes: Any) -> None:
-        if not classes or position < self.furthest:
-            return
-        if position > self.furthest:
-            self.furthest = position
-            self.expected = set()
-        self.expected.update(classes)
+        if classes:
+            self.furthest = max(self.furthest, position)
+            self._expected.setdefault(position, set()).update(classes)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from kinematics.whole_file import read_whole, write_whole
 
-BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE", "FREE_REASON"})
+BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
 """Terminals that are recognised by their form, not listed."""
 
 

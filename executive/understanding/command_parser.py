@@ -3,49 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
-from executive.language.asking.about_doing import asks_about_doing, praises
-from executive.language.asking.alternatives import alternatives
-from executive.language.asking.missing import what_is_missing
 from executive.language.chart import Chart, TooTangledError
-from executive.language.commands.speech import UNQUOTED
+from executive.language.explain.missing import what_is_missing
+from executive.language.explain.refusals import EXAMPLES, Explainer, printable
 from executive.language.grammar import Rule, load_rules
 from executive.language.meanings import MEANINGS as SENTENCES
-from executive.language.motives.remarks import without_remarks
 from executive.language.outcomes import Outcome, explains_best, outcomes_of
 from executive.language.phrases import Nominal, Trouble
-from executive.language.refusing.refusals import EXAMPLES, Explainer, printable
 from executive.language.selection import MEANINGS as SELECTIONS
 from executive.language.selection import Selection, description_of
-from executive.language.taken_back.contrasted_answers import contrasted_answer
-from executive.language.taken_back.contrasts import Reader, contrasted
-from executive.language.taken_back.corrections import corrected
-from executive.language.taken_back.meant_last import told_as_meant_first
-from executive.language.words.bare_lists import with_commas
 from executive.language.words.lattice import Lattice
-from executive.language.words.markup import (
-    with_others_between_marks,
-    without_marks,
-    without_quotation_marks,
-)
 from executive.language.words.piece import Piece
-from executive.language.words.records import sentences_of_records
-from executive.language.words.spoken_marks import with_spoken_marks, without_last_mark
 from executive.language.words.tokens import (
-    MAX_LENGTH,
     MalformedTextError,
-    lines_as_sentences,
     normalise,
     pieces_of,
 )
 from executive.language.words.unlisted_names import looks_like_a_name
-from executive.meaning import Command, Parsed, Question, Refusal, command_json, wording
+from executive.meaning import Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.place_words import place_words
 from executive.vocabulary.written import split_words
@@ -55,9 +36,6 @@ __all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
-
-_PLACES = frozenset({"FURNITURE", "CONTAINER", "DOOR"})
-_SPEAKS = frozenset({"SAY", "TELL", "ASK", "GREETS", "BY_SAYING"})
 
 LONGEST_PHRASE = 200
 """Characters of a sentence that is offered to skills of other packages."""
@@ -118,146 +96,26 @@ class CommandParser:
     def __init__(self, vocabulary: Vocabulary, rules: Mapping[str, Rule]) -> None:
         self.vocabulary = vocabulary
         self._rules = rules
-        self._verbs = rules["command"].first - rules["transport"].first
-        self._explainer = Explainer(vocabulary, self._is_valid, self._is_asked)
-        self._reader = Reader(self._only_commands, self._meanings_as, self._sort_of, rules["command"].first)
+        self._verbs = rules["command"].first
+        self._explainer = Explainer(vocabulary)
 
     def parse(self, text: str, remembers: bool = False) -> Parsed:
-        """Understand one text; its lines may be sentences, or one sentence that was broken into lines."""
-        parsed = self._parsed(text, remembers)
-        if not parsed.commands and (of_records := self._of_records(text, remembers)) is not None:
-            return of_records
-        if not parsed.commands and (unmarked := self._unmarked(text, parsed, remembers)) is not None:
-            return unmarked
-        if parsed.refusal is not None and (dictated := self._dictated(text, remembers)) is not None:
-            return dictated
-        if parsed.refusal is not None and (asked := self._beside_remarks(text, remembers)) is not None:
-            return asked
-        if (ended := self._ended_by_a_mark(text, parsed, remembers)) is not None:
-            return ended
-        sentences = lines_as_sentences(text)
-        if sentences is None:
-            return parsed
-        of_lines = self._parsed(sentences, remembers)
-        if not of_lines.commands:
-            return parsed
-        if not parsed.commands or _alike(parsed, of_lines):
-            return replace(of_lines, text=text)
-        return Parsed(text, question=Question("do its lines belong together, or is each a task of its own?"))
-
-    def _unmarked(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
-        """What the text means without marks around its words, if it means nothing with them."""
-        if len(text) > MAX_LENGTH:
-            return None
-        plain = without_marks(text)
-        if (plain or without_quotation_marks(text)) is None or self._speaks(text):
-            return None  # "say `id`": they belong to the words
-        if plain is not None:
-            found = self.parse(plain, remembers)
-            others = (self.parse(other, remembers) for other in with_others_between_marks(text))
-            if found.refusal is not None or any(other.commands and _alike(found, other) for other in others):
-                return None
-            return replace(found, text=text)
-        plain = without_quotation_marks(text) if parsed.refusal is not None else None
-        if plain is None:
-            return None
-        found = self.parse(plain, remembers)
-        return replace(found, text=text) if found.commands else None
-
-    def _dictated(self, text: str, remembers: bool) -> Parsed | None:
-        """What the text means with the marks that are spoken in it, if it means nothing without."""
-        written = with_spoken_marks(text, self.vocabulary) if len(text) <= MAX_LENGTH else None
-        if written is None:
-            return None
-        found = self.parse(written, remembers)
-        return replace(found, text=text) if found.refusal is None else None
-
-    def _beside_remarks(self, text: str, remembers: bool) -> Parsed | None:
-        """What is asked beside remarks that say no more than why, if that is one thing."""
-        try:
-            lattice = self._lattice(text)
-        except MalformedTextError:
-            return None
-        for rest in without_remarks(lattice, self.vocabulary, self._rules["group"].first):
-            found = self._parsed(rest.text, remembers)
-            unsaid = not rest.behind or not any(isinstance(one, SayTask) for one in found.commands)
-            if found.commands and (unsaid or any(piece.quoted for piece in lattice.pieces)):
-                return replace(found, text=text)
-        return None
-
-    def _ended_by_a_mark(self, text: str, parsed: Parsed, remembers: bool) -> Parsed | None:
-        """What is said without the mark that is spoken behind it; a question where that may be a word."""
-        if not parsed.commands or not isinstance(parsed.commands[-1], SayTask):
-            return None
-        found = without_last_mark(text, self.vocabulary)
-        if found is None:
-            return None
-        plain, is_sure = found
-        if not is_sure:
-            return Parsed(
-                text, question=Question("is its last word to be said too, or does it end what is said?")
-            )
-        return replace(self.parse(plain, remembers), text=text)
-
-    def _speaks(self, text: str) -> bool:
-        """Whether some word of a text is about speaking, so that what is quoted may be said."""
-        said = [word for word, _, _ in split_words(text)]
-        read = (reading for start in range(len(said)) for _, reading in self.vocabulary.matches(said, start))
-        return any(reading.word_class in _SPEAKS for reading in read)
-
-    def _of_records(self, text: str, remembers: bool) -> Parsed | None:
-        """What "Action: grasp; Object: red cup" means, if that is one thing."""
-        if len(text) > MAX_LENGTH:
-            return None
-        found = [self._parsed(sentence, remembers) for sentence in sentences_of_records(text)]
-        understood = [one for one in found if one.commands]
-        if not understood and len(found) == 1:
-            return replace(found[0], text=text)
-        if not understood or not all(_alike(understood[0], one) for one in understood):
-            return None
-        return replace(understood[0], text=text)
-
-    def _parsed(self, text: str, remembers: bool) -> Parsed:
+        """Understand one text; a line that ends without a mark ends a sentence."""
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
-        if lattice.words_are_open:
-            return Parsed(text, question=Question(UNQUOTED))
         chart = self._chart(lattice)
         try:
-            outcomes = outcomes_of(chart.meanings(), self._people_in, self._is_valid, remembers)
+            outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
             return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
-        if all(isinstance(one, Trouble) for one in outcomes):
-            commands = corrected(lattice, self._rules["command"].first, self._only_commands)
-            commands = commands or contrasted(lattice, self._reader)
-            if commands is not None:
-                return Parsed(text, commands=commands, manners=lattice.manners())
-            if (meant := told_as_meant_first(lattice)) is not None:
-                found = self._parsed(meant, remembers)
-                if found.commands:
-                    return replace(found, text=text)
-            question = alternatives(
-                lattice, self._rules["command"].first, self._only_commands, self._only_asked
-            )
-            if question is not None:
-                return Parsed(text, question=question)
         if not outcomes:
-            listed = with_commas(lattice)
-            commands = None if listed is None else self._only_commands(listed)
-            if commands is not None:
-                return Parsed(text, commands=commands, manners=lattice.manners())
-            if not self._explainer.lacks_skill(lattice, chart):
-                missing = what_is_missing(lattice, chart, self._is_valid)
-                if missing is not None:
-                    return Parsed(text, question=missing)
+            missing = what_is_missing(lattice, chart)
+            if missing is not None and not self._explainer.forbids(lattice, chart):
+                return Parsed(text, question=missing)
             return Parsed(text, refusal=self._explainer.explain(lattice, chart))
-        if asks_about_doing(lattice, self._verbs):
-            return Parsed(text, question=Question("is that asked about, or shall it be done?"))
-        if praises(lattice):
-            return Parsed(text, question=Question("is that praise for it, or shall it be done?"))
         return self._answer(text, outcomes, lattice.manners())
 
     def parse_selection(self, text: str) -> ObjectDescription | None:
@@ -268,7 +126,7 @@ class CommandParser:
             return None
         selections = {description_of(one) for one in found if isinstance(one, Selection)} - {None}
         if not selections:
-            return contrasted_answer(self._lattice(text), self._reader, self.parse_selection)
+            return None
         return selections.pop() if len(selections) == 1 else None
 
     def _lattice(self, text: str) -> Lattice:
@@ -278,65 +136,11 @@ class CommandParser:
     def _chart(self, lattice: Lattice) -> Chart:
         return Chart(self._rules, _MEANINGS, lattice)
 
-    def _is_valid(self, text: str) -> bool:
-        """Whether a sentence makes tasks; unlike ``parse`` it explains nothing, so it never recurs."""
-        try:
-            plain = normalise(text)
-            lattice = Lattice(plain, pieces_of(plain), self.vocabulary)
-            outcomes = outcomes_of(self._chart(lattice).meanings(), self._people_in)
-        except (MalformedTextError, TooTangledError):
-            return False
-        return sum(not isinstance(one, Trouble) for one in outcomes) == 1
-
-    def _is_asked(self, text: str) -> bool:
-        """Whether a sentence is understood but for something that is asked; it explains nothing."""
-        if self._only_asked(text) is not None:
-            return True
-        try:
-            lattice = self._lattice(text)
-            chart = self._chart(lattice)
-            chart.meanings()
-            return what_is_missing(lattice, chart, self._is_valid) is not None
-        except (MalformedTextError, TooTangledError):
-            return False
-
-    def _only_commands(self, text: str) -> tuple[Command, ...] | None:
-        """The commands of a sentence that means one thing; it explains nothing."""
-        understood = [one for one in self._outcomes(text) if not isinstance(one, Trouble)]
-        return understood[0] if len(understood) == 1 else None
-
-    def _only_asked(self, text: str) -> str | None:
-        """What a sentence leaves open that means nothing else; it explains nothing."""
-        outcomes = self._outcomes(text)
-        troubles = [one for one in outcomes if isinstance(one, Trouble)]
-        if not troubles or len(troubles) < len(outcomes):
-            return None
-        best = min(troubles, key=explains_best)
-        return best.message if best.asks else None
-
-    def _outcomes(self, text: str) -> list[Outcome]:
-        try:
-            meanings = self._chart(self._lattice(text)).meanings()
-            return outcomes_of(meanings, self._people_in, self._is_valid)
-        except (MalformedTextError, TooTangledError):
-            return []
-
-    def _meanings_as(self, rule: str, text: str) -> list[Any]:
-        """What a text means as a part of a sentence."""
-        try:
-            return self._chart(self._lattice(text)).meanings(rule)
-        except (MalformedTextError, TooTangledError):
-            return []
-
-    def _sort_of(self, kind: str) -> str:
-        """Whether a name is that of a room or of another place."""
-        words = kind.split()
-        classes = {
-            reading.word_class
-            for length, reading in self.vocabulary.matches(words, 0)
-            if length == len(words)
-        }
-        return "room" if "ROOM" in classes else "place" if classes & _PLACES else ""
+    def _may_command(self, text: str) -> bool:
+        """Whether words to say begin as a command does."""
+        said = [word for word, _, _ in split_words(text)]
+        first = self.vocabulary.matches(said, 0) if said else ()
+        return any(reading.word_class in self._verbs for _, reading in first)
 
     def _people_in(self, text: str) -> tuple[Nominal, ...]:
         """Who is named in words to say, so that "him" after them may be somebody else than who is told."""
@@ -383,9 +187,3 @@ class CommandParser:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
-
-
-def _alike(one: Parsed, other: Parsed) -> bool:
-    return [command_json(command) for command in one.commands] == [
-        command_json(command) for command in other.commands
-    ]

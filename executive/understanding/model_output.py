@@ -20,7 +20,7 @@ from typing import Annotated, Any, Union
 
 from pydantic import Field, RootModel, StringConstraints, TypeAdapter, ValidationError
 
-from executive.language.refusing.refusals import printable
+from executive.language.explain.refusals import printable
 from executive.meaning import Command
 from executive.understanding.structured_actions import Confidence, Strict, action_models, command_of
 from executive.understanding.tool_calls import SURE, ToolCallError, steps_of_calls

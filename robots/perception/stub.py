@@ -89,7 +89,7 @@ class PerceptionStub:
         self._episode_rng, self._frame_rng, self._false_rng, self._traits_rng = rng.spawn(4)
         self._sight = Sight(truth, camera)
         self._episodes: dict[str, _Episode] = {}
-        self._labels = told_labels(truth.solids(), model.labels)
+        self._labels = told_labels(_called(truth), model.labels)
         for solid in truth.solids():
             self._episode(solid)
         self._pending: deque[PerceptionFrame] = deque()
@@ -247,6 +247,14 @@ class PerceptionStub:
             x, y, z = (1.0 + self._episode_rng.normal(0.0, self._model.size_noise, 3)).tolist()
             self._episodes[name] = _Episode(bias_m, (x, y, z))
         return self._episodes[name]
+
+
+def _called(truth: TruthView) -> Iterable[str]:
+    """What the things of a world are called."""
+    for solid in truth.solids():
+        yield from (solid.kind, *solid.names, *solid.categories)
+        if solid.category == "furniture" and solid.told_name is not None:
+            yield solid.told_name
 
 
 def _piece(solid: TrueObject) -> str:

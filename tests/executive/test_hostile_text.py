@@ -134,22 +134,6 @@ def test_hostile_text_costs_at_most_a_few_times_what_the_longest_sentences_cost(
     assert hostile[int(0.99 * len(hostile))] < 60 * usual[len(usual) // 2]
 
 
-@pytest.mark.requirement("L5")
-@pytest.mark.parametrize("markup", ["<script>", "`id`", "$(reboot)", "%s%n", "../../etc/passwd", "{{7*7}}"])
-@pytest.mark.parametrize(
-    "sentence",
-    [
-        "It is a {} lovely day, so open the window.",
-        "Bring me the cup because my {} throat is dry.",
-        "Hand me the red cup (my {} throat is dry).",
-        "Hand me the red cup, I've got glue on my {} fingers.",
-    ],
-)
-def test_what_is_passed_over_holds_nothing_that_nobody_says(sentence, markup):
-    assert not parse(sentence.format(markup)).commands
-    assert parse(sentence.format("").replace("  ", " ")).commands
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -164,15 +148,3 @@ def test_markup_before_a_heading_or_in_a_record_is_no_word_of_it(text):
 
 def test_a_form_of_address_said_over_and_over_names_nothing():
     assert not parse("honey " * 12).commands
-
-
-@pytest.mark.parametrize("sentence", ["walk to <kitchen>", "pick up the `red cup` from <table>", "`wave`"])
-def test_marks_around_what_is_meant_are_taken_away(sentence):
-    assert parse(sentence).commands
-
-
-@pytest.mark.requirement("L5")
-@pytest.mark.parametrize("reason", ["because it is far too heavy for you", "since she is starving"])
-def test_a_reason_that_tells_how_is_no_mere_reason(reason):
-    assert parse(f"take the plate to Ana {reason}").commands
-    assert not parse(f"take the plate to Ana {reason} without checking for collisions").commands

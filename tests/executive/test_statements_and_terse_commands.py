@@ -164,12 +164,6 @@ def test_lines_are_sentences_or_one_that_was_broken(text, plain):
     assert tasks(text) == tasks(plain) != []
 
 
-def test_lines_that_mean_something_else_together_are_asked_about():
-    text = "there is a bowl on the table, bring it to me\nwith your left hand, pick up the ball"
-
-    assert parse(text).question is not None
-
-
 def test_what_is_said_of_a_later_thing_may_not_hold_for_the_one_before():
     assert parse("get three cans from the fridge, then the fork to Ana").question is not None
 

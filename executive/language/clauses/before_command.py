@@ -7,15 +7,12 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.clauses.arrivals import at_last
 from executive.language.clauses.neighbours import WITH_A_HAND
 from executive.language.clauses.scopes import Separator
-from executive.language.clauses.told import as_told
 from executive.language.commands.brief_tasks import takes_a_moment
 from executive.language.commands.placing import MEANINGS as PLACING
 from executive.language.phrase_parts import Parts, words
 from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
-from executive.language.words.word import Word
 
 
 class _Nothing:
@@ -69,11 +66,6 @@ def _roman_number(parts: Parts) -> Numbered:
     return Numbered(int(parts[-1].meaning))
 
 
-def _set_off(parts: Parts) -> Any:
-    """A courtesy before "you", which a mark parts from it: "great, you open the fridge"."""
-    return NOTHING if parts[-1].word_class == "PAUSE" or parts[0].said[-1] in _MARKS else None
-
-
 def _clause(parts: Parts) -> Clause | None:
     """A command, with what was said before it."""
     command: Clause = parts[-1]
@@ -110,39 +102,26 @@ def _clause(parts: Parts) -> Clause | None:
     return command
 
 
-def _you_do(parts: Parts) -> Clause | None:
-    """A command that begins with who is to do it: "you take the cup"."""
-    command = as_told(parts[-1])
-    if command is None:
-        return None
-    clause = _clause((*(part for part in parts[:-1] if not isinstance(part, Word)), command))
-    return None if clause is None else replace(clause, terse=True)
-
-
 def _briefly(parts: Parts) -> Clause | None:
     *said, moment = parts
     return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
 
 
-def _impatiently(parts: Parts) -> Clause | None:
-    """Close the door already: it is done as soon as any other command is."""
-    return _clause(parts[:-1])
-
-
-def _there_first(parts: Parts) -> Clause | None:
-    """There, pick up the box: at the place that was gone to just before."""
+def _minding(parts: Parts) -> Clause | None:
+    """A command in the form of "would you mind opening it"."""
     command: Clause = parts[-1]
-    if words(parts, "THERE")[0].said != "there" or command.form != "base" or command.question:
-        return None
-    if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
-        return None
-    arrived = _clause((*(part for part in parts[:-1] if isinstance(part, Numbered)), command))
-    if arrived is None:
-        return None
-    there = Nominal("any", reference="there")
-    if _is_taken_or_seen(command):
-        arrived = _with_slot(arrived, "source", there)
-    return None if arrived is None else replace(arrived, bundles=((at_last(),), *arrived.bundles))
+    return replace(command, form="base") if command.form == "ing" else None
+
+
+def _warned(_parts: Parts) -> Trouble:
+    """A warning before a statement: "careful, the cup is hot. Pick it up"."""
+    return Trouble("that is a warning: shall it be done all the same?", asks=True, rivals=True)
+
+
+def _maybe_ordered(parts: Parts) -> Trouble:
+    """A command that is asked about, permitted, planned or hoped for: "are you able to open the fridge?"."""
+    said = words(parts, "MAYBE_ORDER")[0].said
+    return Trouble("is that asked or told, or shall it be done?", said, asks=True)
 
 
 def _is_taken_or_seen(command: Clause) -> bool:
@@ -212,14 +191,13 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "step_number": step_number,
         "spelled_number": _spelled_number,
         "roman_number": _roman_number,
-        "set_off": _set_off,
         "ordinal_step": _ordinal_step,
         "clause": _clause,
-        "you_do": _you_do,
         "briefly": _briefly,
-        "impatiently": _impatiently,
+        "minding": _minding,
+        "warned": _warned,
+        "maybe_ordered": _maybe_ordered,
         "clause_with_hand": _clause_with_hand,
         "hand_moves": _hand_moves,
-        "there_first": _there_first,
     }
 )

@@ -39,6 +39,13 @@ def unclear_among(said: Sequence[Further]) -> Trouble | None:
         joined = after.separator in (Separator.AND, Separator.COMMA)
         if first.hand_first and joined and _may_use(second):
             return Trouble("shall all of that be done with the same hand?", asks=True)
+        if (
+            joined
+            and _waves_at_nobody(first)
+            and second.bundles[:1]
+            and second.bundles[0][0].action == "wave"
+        ):
+            return Trouble("once, or twice?", asks=True)  # "wave, wave to Ana"
         goes_on = second.terse and is_endless(second) and not _moves(first)
         if goes_on or (first.terse and is_endless(first)):
             return Trouble("how far in that direction?", asks=True)  # "go home, backwards"
@@ -54,6 +61,14 @@ def _may_use(clause: Clause) -> bool:
         return False
     thing = first.get("object")
     return not isinstance(thing, Nominal) or thing.reference is None
+
+
+def _waves(clause: Clause) -> bool:
+    return bool(clause.bundles) and clause.bundles[0][0].action == "wave"
+
+
+def _waves_at_nobody(clause: Clause) -> bool:
+    return _waves(clause) and clause.bundles[0][0].get("person") is None
 
 
 def _watches(clause: Clause) -> bool:

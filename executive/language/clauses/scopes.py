@@ -106,12 +106,23 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
             one.part, separator if done else Separator.STOP, follows, bool(done)
         ):
             return UNCLEAR_ORDER
+        if one.part.scope.startswith("after") and _is_repeated(one.part.first, done):
+            return UNCLEAR_ORDER  # "find the cup. After finding it, ...": is it found once, or twice?
         done += one.part.first
         if one.part.scope == "before_first":
             waiting = one.part.second
         else:
             done += one.part.second
     return (*done, *(waiting or ()))
+
+
+def _is_repeated(first: Sequence[Clause], done: Sequence[Clause]) -> bool:
+    """Whether what is done first may be what was ordered already."""
+    before, again = (
+        {one.action for clause in clauses for bundle in clause.bundles for one in bundle}
+        for clauses in (done, first)
+    )
+    return not before.isdisjoint(again)
 
 
 def _is_listed(parts: Sequence[Further]) -> bool:

@@ -8,18 +8,12 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, Literal
 
-from executive.language.clauses.arrivals import as_done, done_by_then
-from executive.language.clauses.begun_by import in_base_form
+from executive.language.clauses.given_reasons import are_reasons_fit, doubts_of_reasons
 from executive.language.clauses.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.clauses.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.clauses.statements import is_statement
-from executive.language.clauses.told import told_or_done
-from executive.language.clauses.told_after import with_what_is_told_after
-from executive.language.commands.set_speed import doubt_of_speed
-from executive.language.commands.the_same import with_the_same
-from executive.language.motives.given_reasons import are_reasons_fit, doubts_of_reasons
 from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Meaning, Nominal, Trouble
+from executive.language.phrases import Clause, Meaning, Nominal, Trouble
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +30,7 @@ def _clauses(parts: Parts) -> list[Clause]:
 
 def _done_before(parts: Parts) -> Clause | None:
     (clause,) = _clauses(parts)
-    return as_done(clause) if clause.form == "ed" else None
+    return replace(clause, form="base") if clause.form == "ed" else None
 
 
 def _belongs_before(one: Any, other: Any) -> bool:
@@ -64,8 +58,6 @@ def _ordered(scope: Literal["after_first", "after_last", "before_first", "before
         if scope.endswith("last") and apart and not but_first:
             return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
         others = tuple(replace(clause, form="base") for clause in clauses)
-        if scope.startswith("after") and not but_first:
-            others = tuple(done_by_then(clause) for clause in others)
         if scope == "before_first":
             main = _said_after(main, others)
             others = tuple(replace(clause, said_first=True) for clause in others)
@@ -107,22 +99,11 @@ def _said_after(done_first: Clause, said_first: tuple[Clause, ...]) -> Clause:
 
 
 def _sentence(parts: Parts) -> Sentence | Trouble | None:
-    told_after = with_what_is_told_after(parts)
-    if told_after is None or isinstance(told_after, Trouble):
-        return told_after
-    parts = told_after
     said = [
         part if isinstance(part, Further) else Further(Separator.NOTHING, part)
         for part in parts
         if isinstance(part, (Clause, Group, Further))
     ]
-    begun = in_base_form(said)
-    if isinstance(begun, Trouble):
-        return begun
-    said = begun
-    told = told_or_done(one.part for one in said if isinstance(one.part, Clause))
-    if told is not None:
-        return told if isinstance(told, Trouble) else None
     doubt = doubts_of_reasons(parts)
     if doubt is not None:
         return doubt
@@ -131,12 +112,8 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if any(after.asked and is_statement(before.part) for before, after in itertools.pairwise(said)):
         return Trouble("is that so, or is it asked?", asks=True)  # "the cup is dirty? Put it in the sink"
     clauses = in_order(said)
-    if not isinstance(clauses, Trouble):
-        clauses = with_the_same(clauses)
     if isinstance(clauses, Trouble):
         return clauses
-    if (doubtful := doubt_of_speed(clauses)) is not None:
-        return doubtful
     numbers = [_number_of(one.part) for one in said]
     counted = [one for one in numbers if one is not None]
     if any(after <= before for before, after in itertools.pairwise(counted)):
@@ -158,11 +135,19 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if any(after.terse and is_endless(before) for before, after in itertools.pairwise(clauses)):
         return None  # "turn left, then right 90 degrees": how far to the left?
     forms = {clause.form for clause in clauses}
-    if "ed" in forms or len(forms) > 1 or (unseparated and "ing" in forms):
+    if forms - {"base"}:
         return None
-    if runs_together(said):
+    if runs_together(said) or any(map(_is_begun_twice, said, said[1:])):
         return None
     return unclear_among(said) or Sentence(tuple(clauses), unseparated)
+
+
+def _is_begun_twice(before: Further, after: Further) -> bool:
+    """Whether the same is done again with nothing between: "wave wave to Ana" may be one wave or two."""
+    clauses = [one.part for one in (before, after) if isinstance(one.part, Clause) and one.part.bundles]
+    return after.separator is Separator.NOTHING and len({one.bundles[0][0].action for one in clauses}) < len(
+        clauses
+    )
 
 
 def _reports(clause: Clause) -> Any:
@@ -213,29 +198,6 @@ def _more_afterwards(parts: Parts) -> Further | None:
     return said if said.separator is Separator.STOP else replace(said, separator=Separator.THEN)
 
 
-def _more_at_last(parts: Parts) -> Further | None:
-    """With "at the end" behind what is done at the place where the robot then is, last of all commands.
-
-    What is taken or opened "at the end" may stand there: "go to the shelf and take the box at the end".
-    """
-    part = parts[1]
-    bundles = part.bundles
-    if (
-        part.form != "base"
-        or not bundles
-        or any(not _is_gesture(one) for bundle in bundles for one in bundle)
-    ):
-        return None
-    return _more_afterwards((parts[0], replace(part, begun="last"), parts[2]))
-
-
-def _is_gesture(one: Draft) -> bool:
-    """Whether it is done without going to or telling apart anything: it has no place of its own."""
-    waved_at = one.get("person")
-    plain = waved_at is None or (isinstance(waved_at, Nominal) and waved_at.sort in ("me", "name"))
-    return one.action in ("say", "go_home") or (one.action == "wave" and plain)
-
-
 def _separator(parts: Parts) -> Separator:
     return separator_of(parts)
 
@@ -251,7 +213,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "unseparated": _without_separator,
         "more": _more,
         "more_afterwards": _more_afterwards,
-        "more_at_last": _more_at_last,
         "doing_too": _doing_too,
         "done_first": _done_first,
         "separator": _separator,

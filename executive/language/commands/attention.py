@@ -125,6 +125,12 @@ def _find(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
+def _find_for_me(parts: Parts) -> Clause:
+    """Find me a pen: it is found; whether it is wanted too, is not said."""
+    arranged(parts)
+    raise trouble("shall it only be found, or be brought to you?", asks=True)
+
+
 def _find_him(parts: Parts) -> Clause:
     """Tell me where she is: who was named before."""
     (said,) = words(parts, "WHERE_IS_HE")
@@ -294,6 +300,7 @@ def _asking(meaning: Callable[[Parts], Clause]) -> Callable[[Parts], Clause]:
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "find": _asking(_find),
+    "find_for_me": _find_for_me,
     "find_him": _find_him,
     "is_it": _asking(_is_it),
     "whether_here": _asking(_whether_there),

@@ -20,7 +20,6 @@ from executive.language.noun_phrases.arranging import (
     unfit,
 )
 from executive.language.noun_phrases.lists import (
-    goal_told_once_more,
     has_company,
     named_together,
     said_again,
@@ -168,7 +167,6 @@ def _walk(parts: Parts) -> Clause:
     goals = [part for part in reached if isinstance(part, (Nominal, Relative))]
     if has_company(parts):
         raise unfit()
-    goals = goal_told_once_more(goals, parts)
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
         if again is not None:

@@ -103,6 +103,8 @@ def _pick(parts: Parts) -> Clause:
         if one.person is not None and one.person.sort != "me":
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
     bundles = [(_lifted(one),) for one in each]
+    if any(word.meaning == "off" for word in words(parts, "OUT")):
+        raise trouble("off what?", asks=True)  # "take the cup off"
     verbs = [word.said.split() for word in words(parts, "PICK", "OUT")]
     if any(said[0] in _EXTRACTS or ("out" in said and said[0] not in _CHOOSES) for said in verbs):
         bundles = [(one.with_slot("out", True),) if one.action == "pick" else (one,) for (one,) in bundles]

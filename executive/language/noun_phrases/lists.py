@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.noun_phrases.appositions import told_once_more
 from executive.language.noun_phrases.features import described
 from executive.language.phrase_parts import Parts, nominal_of, words
 from executive.language.phrases import Feature, Item, Items, Meaning, Nominal, Relative, Trouble, Where
@@ -72,7 +71,6 @@ def _items(parts: Parts) -> Items | Trouble | None:
     links = [part for part in parts if isinstance(part, Joined)]
     if len(links) == len(each) - 1:
         each, links = _named_at_last(each, links)
-        each, links = _told_once_more(each, links)
     if len(each) > 1 and any(one.of.sort == "you" for one in each):
         return None  # "take the cup, you left it there"
     if len(each) > 1 and len(links) == len(each) - 1:
@@ -115,23 +113,6 @@ def _named_at_last(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[I
         named = Item(replace(second.of, **told), (*first.details, *second.details), second.too)
         return (*each[:index], named, *each[index + 2 :]), [*links[:index], *links[index + 1 :]]
     return each, links
-
-
-def _told_once_more(each: tuple[Item, ...], links: list[Joined]) -> tuple[tuple[Item, ...], list[Joined]]:
-    """With "the blue ball, the big one" as one thing; among three it may be one more of them."""
-    if len(each) != 2 or not links[0].commas:
-        return each, links
-    one = told_once_more(*each)
-    return (each, links) if one is None else ((one,), [])
-
-
-def goal_told_once_more(goals: list[Nominal | Relative], parts: Parts) -> list[Nominal | Relative]:
-    """With "to the chair, the red one" as one goal."""
-    match goals, [part for part in parts if isinstance(part, Joined)]:
-        case [Nominal() as before, Nominal() as after], [Joined(commas=True)]:
-            one = told_once_more(Item(before), Item(after))
-            return goals if one is None else [one.of]
-    return goals
 
 
 def is_nameless(of: Nominal) -> bool:
@@ -295,9 +276,13 @@ def _two_of_a_kind(parts: Parts) -> Items | Trouble | None:
     """The red and the blue box: two boxes; or more than two."""
     noun = nominal_of(parts)
     features = [part for part in parts if isinstance(part, (Feature, Relative))]
-    if noun is None or noun.plural or len(words(parts, "DET")) != len(features):
+    if noun is None or len(words(parts, "DET")) != (1 if noun.plural else len(features)):
         return None
-    each = [described(replace(noun, determined=True), (feature,)) for feature in features]
+    if noun.plural and len({feature.slot for feature in features if isinstance(feature, Feature)}) != 1:
+        return None  # "the red and big cups" may be both
+    ranked = any(isinstance(one, Feature) and one.slot == "ordinal" for one in features)
+    noun = replace(noun, determined=True, plural=noun.plural and not ranked)
+    each = [described(noun, (feature,)) for feature in features]
     trouble = next((one for one in each if isinstance(one, Trouble)), None)
     if trouble is not None:
         return trouble

@@ -115,6 +115,8 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
         return None  # "the fish" is one, "two fish" are two
     if nominal.ordinal in COUNTED_FROM and any(word.said in ("a", "an") for word in words(parts, "DET")):
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
+    if nominal.sort == "thing" and any(word.meaning == "your" for word in words(parts, "DET")):
+        return Trouble(f"this robot has no {nominal.said} of its own: which one is meant?", asks=True)
     whose = next((word.said for word in words(parts, "DET") if word.said in _WHOSE), "")
     indefinite = any(word.said in ("a", "an") for word in words(parts, "DET"))
     determined = bool(words(parts, "DET", "ANOTHER"))

@@ -9,10 +9,8 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.handling import given, handed, picked, recipient
-from executive.language.noun_phrases.appositions import told_once_more
 from executive.language.noun_phrases.arranging import ME, Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.noun_phrases.lists import (
-    Joined,
     is_told_beside,
     said_again,
     said_twice,
@@ -70,15 +68,6 @@ def _own_pair(parts: Parts) -> Pair | Trouble | None:
     return Pair(made.person, replace(made.item, of=own))
 
 
-def _told_once_more(parts: Parts) -> Parts:
-    """With "me the cup, the red one" as one thing for one person."""
-    match parts:
-        case (*before, Pair() as pair, Joined(commas=True), Item() as again) if not _has_pair(before):
-            one = told_once_more(pair.item, again)
-            return parts if one is None else (*before, replace(pair, item=one))
-    return parts
-
-
 def _has_pair(parts: Sequence[Any]) -> bool:
     return any(isinstance(part, Pair) for part in parts)
 
@@ -86,7 +75,6 @@ def _has_pair(parts: Sequence[Any]) -> bool:
 def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
     """Who gets what; further things are for who was named before: "me the cup and the can, Ana the box"."""
     each: list[tuple[Nominal, list[Item]]] = []
-    parts = _told_once_more(parts)
     for part in parts:
         if isinstance(part, Pair):
             each.append((part.person, [part.item]))

@@ -171,6 +171,8 @@ class Antecedents(RepeatedNouns):
             return
         if kind is None and thing.ordinal == "other":
             raise ask("other than what? nothing was named before" if thing.said else "another what?")
+        if kind is None and thing.ordinal == "last":
+            raise ask("the last one of what? nothing was named before")
         if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
             raise ask(f"the {thing.ordinal} that was named, or from the left?")
         before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]

@@ -159,6 +159,9 @@ class Destinations(Antecedents):
         """What a relation is to: a thing rather than the furniture that it stands on."""
         if nominal.reference == "it":
             recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"), root)
+            if len(recent) == 1 and recent[0].task in self._held:
+                kind = recent[0].of.kind or "one"
+                raise ask(f"the {kind} is in the hand by then: shall it be put down first?")
             if len(recent) == 1 and not recent[0].is_several and not self._mentioned:
                 return self._same_it(recent[0].task)
         if nominal.anaphoric:

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from executive.language.clauses.arrivals import STILL
 from executive.language.clauses.scopes import UNCLEAR_ORDER
 from executive.language.phrases import Bundle, Draft, Nominal, Trouble
 from executive.language.resolving.discourse import UnresolvedError, ask
@@ -81,8 +80,6 @@ class DoneAlready(Doubts):
         said = _slots_of(one)
         since: set[str] = set()
         for before, root in reversed(self._did):
-            if one.get("done") == STILL and since & _UNDOES.get(one.action, frozenset()):
-                return None  # "open it, close it; after opening it, ..."
             since.add(before.action)
             if one.action == "pick" and meant == root and root in self._held and "source" not in said:
                 return ObjectOf(root)  # "get the cup; once you have picked it up, ..."

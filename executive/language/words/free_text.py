@@ -10,6 +10,7 @@ from executive.language.words.word import Word
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
+_SPOKEN_MARK = "SPOKEN_MARK"
 _SEPARATES = frozenset({"PAUSE", "SEP", "BEFORE", "AFTER", "AFTER_DOING"})
 
 
@@ -27,9 +28,14 @@ def free_text(lattice: Lattice, start: int, commands: AbstractSet[str]) -> list[
     if start >= size or lattice.pieces[start].is_mark:
         return []
     goes_on, separator = _goes_on(lattice, start, commands)
+    marked, mark = _dictated(lattice, start)
     return [
         Word(
-            "TEXT", lattice.text(start, end), start, end, separator if end > goes_on else _time(lattice, end)
+            "TEXT",
+            lattice.text(start, end),
+            start,
+            end,
+            mark if end > marked else separator if end > goes_on else _time(lattice, end),
         )
         for end in range(start + 1, size + 1)
         if lattice.text_may_end(end)
@@ -40,6 +46,15 @@ def _time(lattice: Lattice, position: int) -> str:
     """``TIME`` where a time begins that may belong to the words before it."""
     begins = lattice.phrase(position) if position < len(lattice.pieces) else ()
     return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
+
+
+def _dictated(lattice: Lattice, start: int) -> tuple[int, str]:
+    """Where behind the first word a mark is dictated, and its text: it is said, or ends what is said."""
+    for position in range(start + 1, len(lattice.pieces)):
+        for word in lattice.phrase(position):
+            if word.word_class == _SPOKEN_MARK:
+                return position, word.said
+    return len(lattice.pieces), ""
 
 
 def _goes_on(lattice: Lattice, start: int, commands: AbstractSet[str]) -> tuple[int, str]:

@@ -6,17 +6,13 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from executive.language.motives.free_reasons import FREE_REASON, free_reasons
-from executive.language.refusing.courtesies import is_condition
 from executive.language.words.addresses import BESIDE, is_beside, is_whole
-from executive.language.words.begun_twice import without_beginnings
 from executive.language.words.colons import BEFORE_A_COLON
 from executive.language.words.contracted import uncontracted
 from executive.language.words.hesitations import SET_OFF, is_set_off, says_nothing
 from executive.language.words.piece import Piece
 from executive.language.words.titles import titled_names
 from executive.language.words.unlisted_names import IsMistyped, unlisted_names
-from executive.language.words.wished import WISH, in_base_form
 from executive.language.words.word import Word
 from executive.vocabulary import Vocabulary
 
@@ -35,7 +31,7 @@ _BEFORE_ALL = "before_all"
 _NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
 """Word classes with which that is said of some of it only: "before doing anything in the kitchen"."""
 
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", WISH, "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
 _BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
 _COMPLETE = frozenset(
     {
@@ -45,12 +41,6 @@ _COMPLETE = frozenset(
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
-_MAY_BE_CONDITIONS = ("if you ", "when you ", "whenever you ")
-"""How courtesies begin that with a verb behind them are conditions."""
-_BEHIND_A_COURTESY = frozenset(
-    {"SEP", "AND", "DET", "AMOUNT", "MANY", FILLER, "TO", "FROM", "IN", "ON", "INTO", "WITH"}
-)
-"""Word classes with which what was said before a courtesy goes on."""
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
@@ -60,9 +50,6 @@ _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
 _LISTING = frozenset({"and", "then", ",", "&", ";", "."})
 _NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
-_HEADINGS = frozenset({"CAPTION", "CAPTION_WORD", "CAPTION_LABEL", "CAPTION_END"})
-"""Word classes of headings, which stand nowhere else: "exercise" is no skill, "exercise 3: ..." a heading."""
-
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -73,7 +60,6 @@ class Lattice:
         plain: The normalised text.
         pieces: Its pieces.
         ends: Places after which nothing but courtesies and marks follow.
-        words_are_open: Whether a verb may be one of the words to say, or said of what is done after them.
     """
 
     def __init__(
@@ -81,20 +67,13 @@ class Lattice:
         plain: str,
         pieces: Sequence[Piece],
         vocabulary: Vocabulary,
-        is_mistyped: IsMistyped = lambda _plain, _piece: False,
+        is_mistyped: IsMistyped = lambda _word: False,
     ) -> None:
         self.plain = plain
-        self.pieces = pieces = without_beginnings(list(uncontracted(pieces, vocabulary)), vocabulary)
+        self.pieces = pieces = list(uncontracted(pieces, vocabulary))
         size = len(pieces)
         texts = _texts_of(pieces)
-        self._last_colon = max((at for at, piece in enumerate(pieces) if piece.text == ":"), default=-1)
         self._begins, self._ended = self._classes_at(texts, vocabulary)
-        self.words_are_open = False
-        if any(WISH in classes for classes in self._begins):
-            pieces, self.words_are_open = in_base_form(pieces, self._begins, self._ended, vocabulary)
-            self.pieces = pieces
-            texts = _texts_of(pieces)
-            self._begins, self._ended = self._classes_at(texts, vocabulary)
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size
@@ -106,10 +85,6 @@ class Lattice:
             self._add_name(*found, texts)
         for found in list(titled_names(pieces, plain, self._begins, vocabulary)):
             self._add_name(*found, texts)
-        for first, end in free_reasons(pieces, self._begins, self._nothing_said, vocabulary):
-            self._formed.setdefault(first, []).append(
-                Word(FREE_REASON, "reason", first, end, " ".join(texts[first:end]))
-            )
         for start in range(size - 1, -1, -1):
             self._read(start, texts, vocabulary)
 
@@ -152,10 +127,6 @@ class Lattice:
         """
         if word.word_class == "ADDRESSED":
             return self._is_address(word)
-        if word.said.startswith(_MAY_BE_CONDITIONS) and self._goes_on_behind(word):
-            return False  # "bring me the cup if you can find it"
-        if is_condition(word.said, "".join(texts[word.end : word.end + 1])):
-            return False
         if word.word_class == FILLER:
             return "SAY" not in self._ended[word.start] and not (
                 word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
@@ -179,12 +150,6 @@ class Lattice:
             for length, reading in vocabulary.matches(texts, before)
         )
         return not complete or says_nothing(word.start, word.end, self.pieces, self._begins, self._ended)
-
-    def _goes_on_behind(self, word: Word) -> bool:
-        """Whether what follows a courtesy may belong to it, so that it is a condition."""
-        if word.word_class != FILLER or self._nothing_said[word.start] or word.end >= len(self.pieces):
-            return False
-        return not self.pieces[word.end].is_mark and self._begins[word.end].isdisjoint(_BEHIND_A_COURTESY)
 
     def _is_address(self, word: Word) -> bool:
         """Whether the robot is addressed: at first, beside a mark, or at the end behind what is whole."""
@@ -236,7 +201,6 @@ class Lattice:
             )
             for length, reading in vocabulary.matches(texts, start)
             if reading.word_class not in _NO_TERMINALS
-            and (start < self._last_colon or reading.word_class not in _HEADINGS)
         ]
         found += self._formed.get(start, ())
         if piece.quoted:

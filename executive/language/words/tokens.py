@@ -11,7 +11,6 @@ import unicodedata
 from collections.abc import Iterator
 
 from executive.language.words.piece import Piece
-from executive.language.words.stutter import without_stutter
 from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500
@@ -32,8 +31,8 @@ _PLAIN = str.maketrans(
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
-_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=\S)")
-"""The end of a line without a mark."""
+_LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=[A-Z0-9])")
+"""The end of a line without a mark, before one that begins as a sentence does."""
 
 _AFTER_A_NUMBER = re.compile("(?<=[0-9])(?=[\u00bc-\u00be\u2150-\u215e])")
 """Where a sign for a fraction follows a number: "1½" is no eleven halves."""
@@ -85,6 +84,7 @@ def normalise(text: str) -> str:
     code = invisible_in(text, _SPACES)
     if code is not None:
         raise MalformedTextError(f"the sentence holds the invisible character {code}", code)
+    text = _LINE_END.sub(". ", text.strip())
     plain = " ".join(unicodedata.normalize("NFKC", _AFTER_A_NUMBER.sub(" ", text)).translate(_PLAIN).split())
     if not ({'"', "'"} & set(plain)):
         plain = _NO_ZERO.sub("0.", plain)
@@ -104,14 +104,6 @@ def normalise(text: str) -> str:
     return plain
 
 
-def lines_as_sentences(text: str) -> str | None:
-    """The text with a full stop at the end of each line that has no mark; None where no line has none."""
-    if "\n" not in text or len(text) > MAX_LENGTH:
-        return None
-    broken = _LINE_END.sub(". ", text.strip())
-    return None if broken == text.strip() else broken
-
-
 def pieces_of(plain: str) -> list[Piece]:
     """Split a normalised text; marks at its end are dropped.
 
@@ -125,7 +117,7 @@ def pieces_of(plain: str) -> list[Piece]:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
-    return without_stutter(pieces)
+    return pieces
 
 
 def _refuse_malformed_bridge_word(token: str) -> None:

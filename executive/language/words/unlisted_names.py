@@ -14,8 +14,8 @@ from collections.abc import Set as AbstractSet
 from executive.language.words.piece import Piece
 from executive.vocabulary import Vocabulary
 
-IsMistyped = Callable[[str, Piece], bool]
-"""Whether a piece of a text may be a known word mistyped."""
+IsMistyped = Callable[[str], bool]
+"""Whether an unknown word may be a known one mistyped."""
 
 Found = tuple[int, int, str, str]
 """Where a name begins and ends, its word class, and the name."""
@@ -63,7 +63,7 @@ def unlisted_names(
     }
     if len(unlisted) > _MOST or not _capitals_tell(pieces, plain, begins):
         return
-    unlisted = {index for index in unlisted if not is_mistyped(plain, pieces[index])}
+    unlisted = {index for index in unlisted if not is_mistyped(pieces[index].text.removesuffix(_OF))}
     called = {pieces[index].text.removesuffix(_OF) for index in unlisted}
     unlisted |= {index for index, piece in enumerate(pieces) if piece.text in called and not piece.quoted}
     names = unlisted | {

@@ -1,1 +1,0 @@
-"""What a sentence leaves open, as a question that can be answered."""

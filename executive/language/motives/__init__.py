@@ -1,1 +1,0 @@
-"""Why something is asked for, which changes nothing."""

@@ -1,1 +1,0 @@
-"""What is corrected, contrasted or taken back."""

@@ -1,0 +1,182 @@
+"""Commands of the shape that a field's exam draws at random, each with what a robot has to do for it.
+
+A command is a beginning ("take the apple from the shelf", "go to the kitchen", "meet Ana in the office") and
+one or two follow-ups, drawn from the verbs, rooms, furniture, things and names that an arena declares. What
+is expected is built beside the words: the names of the actions in their order, and of each the thing or the
+place that it must name. Actions that this robot does not have are not drawn.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+ROOMS = ("kitchen", "bedroom", "living room", "office", "hallway", "bathroom")
+FURNITURE = ("shelf", "kitchen table", "desk", "sofa", "side table", "counter", "coffee table", "nightstand")
+THINGS = (
+    "apple",
+    "cup",
+    "bottle",
+    "sponge",
+    "cereal box",
+    "tennis ball",
+    "orange",
+    "bowl",
+    "spoon",
+    "plate",
+    "can",
+)
+KINDS = ("cups", "bottles", "apples", "spoons", "plates", "bowls")
+NAMES = ("Ana", "Paris", "Charlie", "Robin", "Jules", "Simone", "Morgan", "Angel")
+TOLD = ("dinner is ready", "the doctor is here", "we are leaving")
+SIZES = ("biggest", "smallest", "largest")
+
+GO = ("go to", "navigate to", "walk to")
+TAKE = ("take", "get", "grasp", "pick up")
+FIND = ("find", "locate", "look for")
+PUT = ("put it on", "place it on")
+BRING = ("bring it to", "deliver it to", "give it to")
+SPEAK = ("tell", "say to")
+
+
+@dataclass(frozen=True, slots=True)
+class FieldCommand:
+    """A sentence and its meaning.
+
+    Attributes:
+        says: The sentence.
+        does: For each task its action and what it must name somewhere, or an empty text.
+    """
+
+    says: str
+    does: tuple[tuple[str, str], ...]
+
+
+Part = tuple[str, tuple[tuple[str, str], ...]]
+
+
+class Drawn:
+    """Commands drawn from one seed."""
+
+    def __init__(self, seed: int) -> None:
+        self._random = random.Random(seed)
+
+    def _one(self, words: tuple[str, ...]) -> str:
+        return self._random.choice(words)
+
+    def objects(self, many: int) -> Iterator[FieldCommand]:
+        """Commands about things."""
+        for _ in range(many):
+            yield self._joined(self._random.choice(self._of_objects)(self))
+
+    def people(self, many: int) -> Iterator[FieldCommand]:
+        """Commands about people, as far as they are told by name or by where they are."""
+        for _ in range(many):
+            yield self._joined(self._random.choice(self._of_people)(self))
+
+    def _joined(self, parts: list[Part]) -> FieldCommand:
+        joint = self._one((" and ", ", then ", " then "))
+        return FieldCommand(
+            joint.join(words for words, _ in parts), tuple(one for _, does in parts for one in does)
+        )
+
+    # ---- what is done with a thing that is held
+
+    def _held(self) -> Part:
+        if self._random.random() < 0.5:
+            place = self._one(FURNITURE)
+            return f"{self._one(PUT)} the {place}", (("place", place),)
+        person = self._random.choice((*NAMES, "me"))
+        return f"{self._one(BRING)} {person}", (("hand_over", person),)
+
+    def _seen(self, thing: str) -> list[Part]:
+        if self._random.random() < 0.4:
+            return [(f"{self._one(('take', 'get', 'grasp'))} it", (("pick", ""),)), self._held()]
+        return [
+            (
+                f"bring it to {(who := self._random.choice((*NAMES, 'me')))}",
+                (("pick", ""), ("hand_over", who)),
+            )
+        ]
+
+    # ---- beginnings about things
+
+    def _taken(self) -> list[Part]:
+        thing, place = self._one(THINGS), self._one(FURNITURE)
+        return [(f"{self._one(TAKE)} the {thing} from the {place}", (("pick", thing),)), self._held()]
+
+    def _sought(self) -> list[Part]:
+        thing, room = self._one(THINGS), self._one(ROOMS)
+        article = "an" if thing[0] in "aeiou" else "a"
+        return [
+            (f"{self._one(FIND)} {article} {thing} in the {room}", (("find", thing),)),
+            *self._seen(thing),
+        ]
+
+    def _gone(self) -> list[Part]:
+        room, thing = self._one(ROOMS), self._one(THINGS)
+        begun: Part = (f"{self._one(GO)} the {room}", (("walk_to", room),))
+        return [begun, (f"{self._one(FIND)} the {thing}", (("find", thing),)), *self._seen(thing)]
+
+    def _brought(self) -> list[Part]:
+        thing, place = self._one(THINGS), self._one(FURNITURE)
+        article = "an" if thing[0] in "aeiou" else "a"
+        verb = self._one(("bring me", "give me"))
+        does = ("hand_over", thing) if verb == "give me" else ("pick", thing)
+        more = () if verb == "give me" else (("hand_over", "me"),)
+        return [(f"{verb} {article} {thing} from the {place}", (does, *more))]
+
+    def _counted(self) -> list[Part]:
+        kinds, place = self._one(KINDS), self._one(FURNITURE)
+        return [(f"tell me how many {kinds} there are on the {place}", (("count", kinds.rstrip("s")),))]
+
+    def _ranked(self) -> list[Part]:
+        size, place = self._one(SIZES), self._one(FURNITURE)
+        return [(f"tell me what is the {size} object on the {place}", (("describe", ""),))]
+
+    _of_objects = (_taken, _taken, _sought, _gone, _brought, _counted, _ranked)
+
+    # ---- beginnings about people
+
+    def _spoken(self, person: str) -> Part:
+        if person in NAMES and self._random.random() < 0.3:
+            return "wave to them", (("wave", person),)
+        words = self._one(TOLD)
+        return f"tell them that {words}", (("say", words),)
+
+    def _met(self) -> list[Part]:
+        person = self._one(NAMES)
+        return [
+            (f"{self._one(('meet', 'find'))} {person} in the {self._one(ROOMS)}", ((("", person)),)),
+            self._spoken(person),
+        ]
+
+    def _reached(self) -> list[Part]:
+        person, room = self._one(NAMES), self._one(ROOMS)
+        words = self._one(TOLD)
+        return [
+            (f"{self._one(GO)} the {room}", (("walk_to", room),)),
+            (f"tell {person} that {words}", (("say", words),)),
+        ]
+
+    def _greeted(self) -> list[Part]:
+        person, room = self._one(NAMES), self._one(ROOMS)
+        return [
+            (f"{self._one(GO)} the {room}", (("walk_to", room),)),
+            (f"{self._one(('greet', 'wave to'))} {person}", (("wave", person),)),
+        ]
+
+    def _people_counted(self) -> list[Part]:
+        return [(f"tell me how many people are in the {(room := self._one(ROOMS))}", (("count", room),))]
+
+    def _served(self) -> list[Part]:
+        thing, person, place = self._one(THINGS), self._one(NAMES), self._one(FURNITURE)
+        return [
+            (
+                f"{self._one(('bring', 'deliver'))} the {thing} from the {place} to {person}",
+                (("pick", thing), ("hand_over", person)),
+            )
+        ]
+
+    _of_people = (_met, _reached, _greeted, _people_counted, _served)
