@@ -16,15 +16,13 @@ if TYPE_CHECKING:
     from py_trees.common import Status
     from py_trees.composites import Sequence
 
-    from kinematics.model.robot_description import Hand
+    from kinematics.model import Hand
+    from kinematics.requests import MoveRequest, NoPlan, RetreatRequest, ViewRequest
     from kinematics.requests.gesture import GestureRequest
-    from kinematics.requests.move import MoveRequest, RetreatRequest
-    from kinematics.requests.step import NoPlan
-    from kinematics.requests.view import ViewRequest
     from trees.beliefs.grounding.destination import Place
     from trees.beliefs.scene.held_object import HeldObject
     from trees.events import Measured, Offered, Said
-    from trees.failures import Failure, FailureKind, Number
+    from trees.failures import Failure, FailureKind, Number, Reason
     from trees.leaves.check_trajectory import CheckTrajectory
     from trees.leaves.go_home import GoHome
     from trees.leaves.stream_motion import StreamMotion
@@ -35,7 +33,7 @@ if TYPE_CHECKING:
     from trees.nodes.contract import Contract
     from trees.nodes.deadline import Deadline
     from trees.nodes.job_leaf import JobLeaf
-    from trees.nodes.judgements import defect, looking_elsewhere_is_useless
+    from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
     from trees.nodes.leaf import DONE, RUNNING, Leaf
     from trees.nodes.motion_leaf import MotionLeaf
     from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
@@ -93,6 +91,7 @@ __all__ = [
     "Place",
     "PlannedMotionLeaf",
     "ReadyToWalk",
+    "Reason",
     "Relation",
     "RetreatRequest",
     "Retry",
@@ -112,6 +111,7 @@ __all__ = [
     "as_asked",
     "defect",
     "found_by_turning",
+    "judgement",
     "looking_elsewhere_is_useless",
     "optional",
     "ports",
@@ -139,6 +139,7 @@ _FROM = MappingProxyType(
         "Failure": "trees.failures",
         "FailureKind": "trees.failures",
         "Number": "trees.failures",
+        "Reason": "trees.failures",
         "CheckTrajectory": "trees.leaves.check_trajectory",
         "GoHome": "trees.leaves.go_home",
         "StreamMotion": "trees.leaves.stream_motion",
@@ -150,6 +151,7 @@ _FROM = MappingProxyType(
         "Deadline": "trees.nodes.deadline",
         "JobLeaf": "trees.nodes.job_leaf",
         "defect": "trees.nodes.judgements",
+        "judgement": "trees.nodes.judgements",
         "looking_elsewhere_is_useless": "trees.nodes.judgements",
         "DONE": "trees.nodes.leaf",
         "RUNNING": "trees.nodes.leaf",

@@ -12,8 +12,7 @@ from typing import Any, Literal
 
 from executive.exit_codes import ExitCode
 from executive.meaning import shortened
-from kinematics.motion.trajectory import Trajectory
-from kinematics.motion.verdict import CheckedTrajectory, Finding, FindingKind, Unsafe
+from kinematics.motion import CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe
 
 SCHEMA = 1
 

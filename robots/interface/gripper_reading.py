@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.model.robot_description import GripperDescription, Hand
+from kinematics.model import Hand
+from kinematics.model.robot_description import GripperDescription
 from robots.interface.hardware import GripSettings
 
 

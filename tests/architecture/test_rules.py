@@ -42,6 +42,7 @@ GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|
 # form its numbers come, and how far two solids are apart.
 JUDGE = "kinematics.checking"
 SHARED_WITH_THE_JUDGE = tuple(
+    "kinematics.handed_on",
     f"kinematics.{name}"
     for name in ("arrays", "compiled", "distance", "errors", "geometry", "model", "motion", "scene")
 )  # fmt: skip

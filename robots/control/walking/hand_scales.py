@@ -8,8 +8,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.estimation.hand_force import HandForce
-from kinematics.model.robot_description import Hand
-from kinematics.model.robot_model import RobotModel
+from kinematics.model import Hand, RobotModel
 
 _GRAVITY_M_S2 = 9.81
 _TIME_S = 0.5

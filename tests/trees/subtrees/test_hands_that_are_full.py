@@ -2,9 +2,7 @@
 
 import pytest
 
-from kinematics.requests.move import RetreatRequest
-from kinematics.requests.place import PlaceRequest
-from kinematics.requests.step import NoPlan, WhyNoPlan
+from kinematics.requests import NoPlan, PlaceRequest, RetreatRequest, WhyNoPlan
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.requests.grasp import Grasp
-from kinematics.requests.move import RetreatRequest
+from kinematics.requests import Grasp, RetreatRequest
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import optional, ports
