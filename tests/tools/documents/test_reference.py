@@ -1,9 +1,12 @@
 """Pages that are made from the code are what the code makes."""
 
+import re
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
+import trees.skills
 from tools.documents.decisions_page import decisions_page
 from tools.documents.markdown import attributes, summary, table
 from tools.documents.reference import DOCS, PAGES
@@ -34,6 +37,16 @@ def test_every_number_of_the_policy_has_a_meaning():
     empty = [line for line in PAGES["reference/policy.md"]().splitlines() if line.endswith("|  |")]
 
     assert empty == []
+
+
+def test_every_skill_with_settings_has_its_numbers_on_the_policy_s_page():
+    text = PAGES["reference/policy.md"]()
+
+    folders = sorted(file.parent.name for file in Path(trees.skills.__file__).parent.glob("*/settings.py"))
+    assert re.findall(r"^### `trees/skills/(\w+)/settings.py`", text, re.MULTILINE) == folders
+    assert "### `trees/skills/pick/settings.py`: `PickSettings`\n\nNumbers of picking up.\n" in text
+    assert "| `hold_s` | 2 | How long the object must stay held after the lift before it counts. |" in text
+    assert "**`inventory_gazes`**: The looks that together see everything" in text
 
 
 def test_a_leaf_tells_its_promises_and_its_deadline():
