@@ -42,9 +42,8 @@ GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|
 # form its numbers come, and how far two solids are apart.
 JUDGE = "kinematics.checking"
 SHARED_WITH_THE_JUDGE = tuple(
-    "kinematics.handed_on",
     f"kinematics.{name}"
-    for name in ("arrays", "compiled", "distance", "errors", "geometry", "model", "motion", "scene")
+    for name in ("arrays", "compiled", "distance", "errors", "geometry", "handed_on", "model", "motion", "scene")
 )  # fmt: skip
 # What the standard library says is there to be set.
 MEANT_TO_BE_SET = ("sys.stdin", "sys.stdout", "sys.stderr", "os.environ")
