@@ -27,7 +27,13 @@ class Notes:
     now_s = 0.0
 
     def __init__(self, *failures, can_walk=True):
-        self.toolbox = SimpleNamespace(can_walk=can_walk, places=(), grippers={"right": None}, model=BODY)
+        self.toolbox = SimpleNamespace(
+            can_walk=can_walk,
+            places=(),
+            grippers={"right": None},
+            model=BODY,
+            detector=SimpleNamespace(labels=None),
+        )
         self.told, self.went_to, self.failures = [], [], list(failures)
 
     def request(self):
