@@ -155,9 +155,9 @@ def test_a_run_that_asks_is_ended_at_its_question(command, tmp_path, number, tex
 
 @each
 def test_a_replay_that_is_asked_to_end_is_cancelled_and_no_verdict(command, tmp_path, number):
-    said = "wait for 100 seconds, then go home, then wait for 400 seconds"  # what is replayed takes a while
+    said = "wait for 100 seconds, then wait for 400 seconds"  # what is replayed takes a while
     recording = command("run", said, "--record", tmp_path / "runs")
-    recording.until("EXECUTING: go home")
+    recording.until("accepted: wait for 400 s")
     recording.ended(signal.SIGTERM)
     header = next((tmp_path / "runs").glob("*/run.json"))
     header.with_name("report.json").unlink()
