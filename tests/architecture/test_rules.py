@@ -43,9 +43,7 @@ GLOBAL_RANDOM = re.compile(r"(random|secrets|uuid\.uuid[14])(\.|$)|os\.urandom$|
 JUDGE = "kinematics.checking"
 SHARED_WITH_THE_JUDGE = tuple(
     f"kinematics.{name}"
-    for name in (
-        "arrays", "compiled", "distance", "errors", "geometry", "handed_on", "model", "motion", "scene",
-    )
+    for name in ("arrays", "compiled", "distance", "errors", "geometry", "model", "motion", "scene")
 )  # fmt: skip
 # What the standard library says is there to be set.
 MEANT_TO_BE_SET = ("sys.stdin", "sys.stdout", "sys.stderr", "os.environ")
