@@ -16,9 +16,11 @@ if TYPE_CHECKING:
     from py_trees.common import Status
     from py_trees.composites import Sequence
 
-    from kinematics.model import Hand
-    from kinematics.requests import MoveRequest, NoPlan, RetreatRequest, ViewRequest
+    from kinematics.model.robot_description import Hand
     from kinematics.requests.gesture import GestureRequest
+    from kinematics.requests.move import MoveRequest, RetreatRequest
+    from kinematics.requests.step import NoPlan
+    from kinematics.requests.view import ViewRequest
     from trees.beliefs.grounding.destination import Place
     from trees.beliefs.scene.held_object import HeldObject
     from trees.events import Measured, Offered, Said

@@ -8,7 +8,7 @@ from enum import Enum, unique
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kinematics.motion import Finding
+    from kinematics.motion.verdict import Finding
 
 
 class FailureKind(Enum):

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.model import Hand
-from kinematics.motion import CheckedTrajectory, Trajectory
-from kinematics.requests import CheckRequest, PlannedStep
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import Hand
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.step import PlannedStep
 from kinematics.scene.concessions import Concession
+from kinematics.scene.planning_scene import PlanningScene
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import Field, dataclass
 from typing import Any, ClassVar, Literal, Protocol
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "next_to", "on", "in", "under", "nearest"

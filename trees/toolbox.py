@@ -9,9 +9,12 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.model import Hand, RobotModel, Stance
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest, Request
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded.guarded_motion import GuardedMotion

@@ -9,8 +9,8 @@ import numpy as np
 
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
-from kinematics.requests import Grasp
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.grasp import Grasp
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.openings.handles import HandleTarget
 from trees.beliefs.sight.sight import Glimpse

@@ -19,8 +19,10 @@ from executive.scripts.task_script import script_for
 from executive.session.task_result import TaskResult, chain
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from executive.understanding.statement import Statement
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest, PickPlan, Request
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.pick import PickPlan
+from kinematics.requests.request import Request
 from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene

@@ -8,14 +8,14 @@ from pathlib import Path
 from executive.errors import TrajectoryFileError
 from executive.exit_codes import ExitCode
 from executive.reports.check_report import CheckReport, MotionVerdict
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.errors import TrajectoryDocumentError
 from kinematics.formats.trajectory_document import StoredTrajectory, read_trajectory
 from kinematics.formats.trajectory_fit import fit
-from kinematics.model import RobotModel
-from kinematics.motion import Unsafe
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import Unsafe
 from kinematics.scene.namespace import with_names_of_their_own
+from kinematics.scene.planning_scene import PlanningScene
 from robots.models.description import load_description
 from robots.scenes.scene_file import load_scene
 from robots.scenes.scene_solids import planning_scene

@@ -12,8 +12,8 @@ from executive.scripts.script_run import Said, run_statements, verdict
 from executive.session.task_result import TaskResult
 from executive.trust import OnQuestion
 from executive.understanding.statement import Statement
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.scenes.scene_description import SceneDescription
 
 

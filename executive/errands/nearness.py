@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from kinematics.geometry.planar import PlanarPose, wrapped
 from kinematics.geometry.poses import Transform
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings

@@ -12,7 +12,8 @@ from typing import Any, Literal
 
 from executive.exit_codes import ExitCode
 from executive.meaning import shortened
-from kinematics.motion import CheckedTrajectory, Finding, FindingKind, Trajectory, Unsafe
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, Finding, FindingKind, Unsafe
 
 SCHEMA = 1
 

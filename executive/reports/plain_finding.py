@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from kinematics.motion import Finding, FindingKind
+from kinematics.motion.verdict import Finding, FindingKind
 
 _NEAR = frozenset(
     {FindingKind.SELF_COLLISION, FindingKind.SCENE_COLLISION, FindingKind.HELD_OBJECT_COLLISION}

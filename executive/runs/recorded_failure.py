@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from kinematics.motion import Finding, FindingKind
+from kinematics.motion.verdict import Finding, FindingKind
 from trees.failures import CHOICES_JOINED_BY, Failure, FailureKind, OpenChoice, Reason
 
 _FOR_PROGRAMS = frozenset(

@@ -28,8 +28,8 @@ from executive.understanding.spoken_in import spoken_in
 from executive.understanding.statement import Statement
 from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.clock import WallClock
 from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription

@@ -12,11 +12,11 @@ from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
 from executive.understanding.canonical_detector import CanonicalDetector
 from executive.understanding.canonical_words import canonical_kind
-from kinematics.checking import TrajectoryChecker
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory, Unsafe
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest
+from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S

@@ -11,7 +11,8 @@ from executive.session.lockstep import Periods
 from executive.session.pause import Pausable
 from executive.session.session import PlanningTimes, Session, TreeBuilder
 from executive.session.supervisor import Guarded, Supervisor
-from kinematics.model import Hand, RobotModel
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from robots.clock import Clock
 from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region

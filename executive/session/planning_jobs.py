@@ -11,10 +11,12 @@ from concurrent.futures import Executor, Future
 from typing import Any, Generic, Protocol, TypeVar
 
 from executive.session.events import PlanningAnswered
-from kinematics.motion import CheckedTrajectory, Trajectory, Unsafe
-from kinematics.requests import CheckRequest, Request
-from kinematics.scene import PlanningScene
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
 from kinematics.scene.concessions import Concession
+from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import Clock, ProcessorClock, WallClock
 from trees.toolbox import Job
 

@@ -8,11 +8,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import Hand, RobotModel
-from kinematics.motion import Trajectory
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
 from kinematics.planning.gesture_task import GestureTask, Wish
-from kinematics.requests import MovePlan, NoPlan, PlannedStep
 from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.move import MovePlan
+from kinematics.requests.step import NoPlan, PlannedStep
 
 # So many of each stretch: what looks where a hand passes looks at rows of its trajectory.
 _ROWS = 12

@@ -8,9 +8,12 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model import RobotModel, Stance, StandingRobot
-from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Trajectory, TrajectorySampler
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.clock import Clock
 from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus

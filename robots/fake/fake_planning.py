@@ -11,34 +11,31 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.ik.gaze import gaze_joints
-from kinematics.model import Hand, RobotModel, Stance
-from kinematics.motion import CheckedTrajectory, Trajectory, Unsafe
-from kinematics.planning import GesturePlanner
-from kinematics.requests import (
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.gesture import (
     CarryRequest,
-    CheckRequest,
-    Grasp,
-    HandlePlan,
-    HandleRequest,
-    MovePlan,
-    MoveRequest,
-    NoPlan,
+    GestureRequest,
     OfferRequest,
-    PickPlan,
-    PickRequest,
-    PlacePlan,
-    PlaceRequest,
-    PlannedStep,
     PointRequest,
     RaiseHandRequest,
-    Request,
-    RetreatRequest,
     SwingRequest,
-    ViewRequest,
 )
-from kinematics.requests.gesture import GestureRequest
-from kinematics.scene import AttachedBody, PlanningScene
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.handle import HandlePlan, HandleRequest
+from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.place import PlacePlan, PlaceRequest
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
+from kinematics.requests.view import ViewRequest
 from kinematics.scene.concessions import Concession, ConcessionReason, touching
+from kinematics.scene.planning_scene import AttachedBody, PlanningScene
 from kinematics.scene.support_of import under_foot_of
 from robots.clock import Clock
 from robots.fake.fake_gesture import FakeGesture

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.clock import Clock
 from robots.errors import SetpointRefusedError
 from robots.interface.hardware import Hardware, RobotData

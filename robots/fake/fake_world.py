@@ -12,9 +12,11 @@ from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.model import HANDS, Hand, RobotModel, StandingRobot
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 from robots.fake.fake_gripper import FakeGripper
 from robots.fake.fake_motion import FakeMotion

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.hands.yield_settings import Outcome, YieldReport
 from robots.control.motion_handle import MotionHandle, MotionStatus

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 
 PoseOf = Callable[[str], Transform]

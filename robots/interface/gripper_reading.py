@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.model import Hand
-from kinematics.model.robot_description import GripperDescription
+from kinematics.model.robot_description import GripperDescription, Hand
 from robots.interface.hardware import GripSettings
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from kinematics.model import Hand, RobotDescription
+from kinematics.model.robot_description import Hand, RobotDescription
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from kinematics.arrays import Array, InFloat64
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.interface.hardware import Hardware
 
 

@@ -13,9 +13,14 @@ from importlib.resources.abc import Traversable
 from itertools import combinations
 from pathlib import Path
 
-from kinematics.model import Hand, RobotDescription
 from kinematics.model.reachability import ReachabilityMap
-from kinematics.model.robot_description import GROUPS, GripperDescription, JointLimits
+from kinematics.model.robot_description import (
+    GROUPS,
+    GripperDescription,
+    Hand,
+    JointLimits,
+    RobotDescription,
+)
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.interface.hardware import RobotData
 from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind

@@ -8,8 +8,7 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
-from kinematics.model import Hand
-from kinematics.model.robot_description import CameraDescription, SoleDescription
+from kinematics.model.robot_description import CameraDescription, Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
 from robots.interface.hardware import HealthLimits, SensorNoise, WalkingGains

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.interface.hardware import GripSettings, Hardware, ServoGains
 from robots.models.description_document import DescriptionDocument
 

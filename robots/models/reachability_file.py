@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinematics.model import HANDS
 from kinematics.model.reachability import Cells, GridAxis, ReachabilityMap
+from kinematics.model.robot_description import HANDS
 from robots.errors import DescriptionError
 from robots.toml_text import read_toml
 

@@ -14,7 +14,7 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.scene import Label
+from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.

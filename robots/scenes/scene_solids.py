@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.scenes import articulated, furniture
 from robots.scenes.person_solid import person_solid
 from robots.scenes.scene_description import SceneDescription

@@ -8,8 +8,8 @@ from executive.embedding.requests import Requests
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session
 from executive.session.supervisor import Supervisor
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.loop.emergency_stop import EmergencyStop
 from robots.fake.fake_world import FakeWorld, cup, table
 from robots.models.description import load_description, load_robot

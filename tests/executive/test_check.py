@@ -13,11 +13,12 @@ from typer.testing import CliRunner
 from executive.checks import check_trajectory_file as stored_check
 from executive.cli import app as cli
 from executive.reports.check_report import MotionVerdict
-from kinematics.checking import CheckSettings
+from kinematics.checking.settings import CheckSettings
 from kinematics.formats.trajectory_document import StoredTrajectory, write_trajectory
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import FindingKind, Trajectory
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import FindingKind
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.models.description import load_description
 
@@ -362,7 +363,7 @@ def test_the_published_schema_knows_every_kind_of_finding():
 
 
 def test_what_is_beyond_all_measure_is_null_in_a_report(talos):
-    from kinematics.motion import Finding, Unsafe
+    from kinematics.motion.verdict import Finding, Unsafe
 
     t_s, q = np.array([0.0, 1.0]), np.tile(talos.q_home, (2, 1))
     motion = Trajectory(talos.joints, stance_at(talos, talos.q_home), t_s, q, np.zeros((2, talos.nv)))

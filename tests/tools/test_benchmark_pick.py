@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import ABOVE_MIDDLE
 from kinematics.planning.pick_task import PickTask
 from robots.models.description import load_description

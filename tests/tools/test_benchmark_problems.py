@@ -7,8 +7,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
-from kinematics.scene.planning_scene import FLOOR
+from kinematics.scene.planning_scene import FLOOR, SceneObject
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge, path_length
 from tools.benchmark.problems.families import FAMILIES
 from tools.benchmark.problems.generator import LINE_STEP_RAD, READY, problems

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kinematics.ik import IkTolerance
-from kinematics.model import RobotModel
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 from tools.benchmark.problems.picks import APART_M, TARGET, picks
 from tools.benchmark.reaches import ReachingBody

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 from robots.scenes.scene_file import load_scene
 from tools.calibration.answers import Answer

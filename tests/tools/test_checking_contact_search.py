@@ -8,8 +8,8 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball
-from kinematics.model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 from tools.checking.contact_search import STEP_M, STEP_S, ContactSearch
 from tools.checking.farthest import Farthest

@@ -11,12 +11,14 @@ from py_trees.common import Status
 from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.model import RobotModel, StandingRobot
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory
-from kinematics.planning import GesturePlanner
-from kinematics.requests import Grasp, PickRequest
-from kinematics.scene import SceneObject
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.planning.gesture_planner import GesturePlanner
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_gesture import FakeGesture
 from robots.fake.fake_world import FakeWorld, cup, table
 from robots.models.description import load_description, load_robot

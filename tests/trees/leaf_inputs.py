@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.geometry import poses
-from kinematics.requests import CheckRequest, HandleRequest
-from kinematics.scene import SceneObject
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.handle import HandleRequest
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, table
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.truth_view import TrueObject

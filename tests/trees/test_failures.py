@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinematics.requests import NoPlan, WhyNoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from trees.failures import Failure, FailureKind, OpenChoice, Reason
 from trees.nodes.plan_failures import no_plan_failure
 

@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import ObjectDescription, Relation

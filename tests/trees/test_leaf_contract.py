@@ -16,7 +16,7 @@ import pytest
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-from kinematics.requests import NoPlan
+from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import bowl, cup, person, table
 from tests.trees.example_tasks import FURTHER, TASKS
 from tests.trees.leaf_inputs import GIVEN

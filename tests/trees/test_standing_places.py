@@ -9,8 +9,8 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
 from kinematics.scene.opening_path import DoorArc, DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.load import Load
 from kinematics.walking.route.path_planning import clearance_m, footprints
 from kinematics.walking.route.room import WalkingRoom

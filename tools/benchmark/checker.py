@@ -7,15 +7,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Trajectory, TrajectorySampler
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import MovePlan, MoveRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure, timed_s
 

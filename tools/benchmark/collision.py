@@ -14,8 +14,10 @@ import numpy as np
 from executive.config import APPLICATION
 from kinematics.arrays import Array
 from kinematics.collision.validity import validity
-from kinematics.model import RobotModel, Stance, StandingRobot
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment

@@ -13,9 +13,10 @@ import numpy as np
 
 from executive.config import APPLICATION
 from kinematics.arrays import Array
-from kinematics.ik import IkTolerance, inverse_kinematics
 from kinematics.ik.placo_ik import without_meshes
-from kinematics.model import StandingRobot
+from kinematics.ik.result import IkTolerance
+from kinematics.ik.solver import inverse_kinematics
+from kinematics.model.standing_robot import StandingRobot
 from tools.benchmark.contest import Result, standings
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process

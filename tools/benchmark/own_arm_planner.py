@@ -9,10 +9,11 @@ import numpy as np
 
 from executive.config import APPLICATION
 from kinematics.collision.validity import validity
-from kinematics.model import RobotModel, Stance, StandingRobot
-from kinematics.planning import PathPlanner
-from kinematics.planning.path_planner import PathSettings
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.planning.path_planner import PathPlanner, PathSettings
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import FreeCoordinates
 from robots.models.description import load_description
 from tools.benchmark.contest import Answer

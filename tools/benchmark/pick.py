@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.checking import TrajectoryChecker
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import PickPlan, PickRequest
+from kinematics.requests.pick import PickPlan, PickRequest
 from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment

@@ -20,15 +20,17 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.collision.relaxed_start import relaxed_at
 from kinematics.geometry import poses
-from kinematics.ik import IkTolerance
 from kinematics.ik.placo_ik import without_meshes
-from kinematics.model import HANDS, Hand, RobotModel, StandingRobot
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_table
 from kinematics.planning.pick_planner import MOST_BLOCKED
 from kinematics.planning.pick_task import APPROACH_M, FARTHEST_M
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
-from kinematics.requests import PickRequest
+from kinematics.requests.pick import PickRequest
 from kinematics.scene.support_of import under_foot_of
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.curve_timing import Pace

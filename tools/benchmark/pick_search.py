@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinematics.collision.relaxed_start import relaxed_at
-from kinematics.model import RobotModel
-from kinematics.requests import PickRequest
+from kinematics.model.robot_model import RobotModel
+from kinematics.requests.pick import PickRequest
 from kinematics.scene.support_of import supports_of
 from tools.benchmark.peers.peer_process import PeerProcess
 from tools.benchmark.problems.problem import object_to_json

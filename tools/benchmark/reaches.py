@@ -11,10 +11,13 @@ from kinematics.arrays import Array
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.ik import IkTolerance
-from kinematics.model import Hand, RobotModel, StandingRobot, SupportPolygon
+from kinematics.ik.result import IkTolerance
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.scene import PlanningScene
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.model.support_polygon import SupportPolygon
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.leg_ik import LegIk
 from robots.models.description import load_description
 

@@ -21,16 +21,18 @@ from rich.console import Console
 from rich.table import Table
 
 from kinematics.arrays import Array
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.collision.validity import Validity, validity
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.model import RobotModel, Stance, StandingRobot
-from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Trajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance, stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve, RoundedPolyline
-from kinematics.planning import PathPlanner
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.planning.path_planner import PathPlanner
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinates
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description

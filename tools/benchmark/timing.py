@@ -23,8 +23,9 @@ from rich.console import Console
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel, StandingRobot
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import BlendedPolyline
 from kinematics.standing.free_coordinates import FreeCoordinates
 from kinematics.timing.curve_speed import CurveGrid

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any, cast
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 from robots.scenes.scene_description import PerceptionModel
 from tools.calibration.quick_robot import QuickRobot

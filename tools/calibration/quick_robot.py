@@ -11,11 +11,11 @@ from functools import partial
 import numpy as np
 
 from executive.session.planning_jobs import PlanningJobs
-from kinematics.checking import TrajectoryChecker
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory, Unsafe
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest
+from kinematics.requests.check import CheckRequest
 from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.fake.fake_motion import FakeMotion

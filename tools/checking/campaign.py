@@ -20,9 +20,9 @@ from pathlib import Path
 
 import numpy as np
 
-from kinematics.checking import TrajectoryChecker
-from kinematics.model import RobotModel
-from kinematics.motion import Unsafe
+from kinematics.checking.trajectory_checker import TrajectoryChecker
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import Unsafe
 from robots.models.description import load_description
 from tools.checking.generator import DEFECTS, Generator, Kind
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from tools.checking.farthest import Farthest
 from tools.checking.solid_world import SolidWorld
 

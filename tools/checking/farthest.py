@@ -12,7 +12,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from tools.checking.solid_world import SolidWorld
 
 # Rotations are summed up in chords of quaternions, distances with Coal's precision.

@@ -11,9 +11,10 @@ from kinematics.arrays import Array
 from kinematics.checking.settings import DEFAULT_SETTINGS
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model import HANDS, RobotModel
-from kinematics.motion import Trajectory
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_description import HANDS
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from tools.checking.motions import (
     Choreographer,
     Motion,

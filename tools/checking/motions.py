@@ -12,8 +12,9 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel, Stance
-from kinematics.motion import Trajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
 from tools.checking.profiles import Profile, random_profile
 
 PELVIS = ("x", "y", "z", "yaw", "pitch")

@@ -10,9 +10,9 @@ import pinocchio as pin
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model import RobotModel
-from kinematics.motion import Trajectory
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from tools.checking.ray import Ray
 from tools.checking.referee import Referee
 from tools.checking.solid_world import SolidWorld

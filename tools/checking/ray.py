@@ -6,7 +6,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from tools.checking.solid_world import EnclosingBalls, SolidWorld
 
 

@@ -15,9 +15,9 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
-from kinematics.motion import Trajectory
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import PlanningScene
 from tools.checking.contact_search import ContactSearch
 from tools.checking.solid_world import SolidWorld
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from kinematics.model import RobotModel
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_model import RobotModel
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 class SolidWorld:

@@ -8,7 +8,7 @@ from pydantic import Field, NonNegativeFloat, PositiveFloat
 
 from executive.exit_codes import ExitCode
 from executive.reports.check_report import SCHEMA, Outcome
-from kinematics.motion import FindingKind
+from kinematics.motion.verdict import FindingKind
 from tools.documents.published import Published, constant
 
 _ENDS = (ExitCode.DONE, ExitCode.FAILED, ExitCode.INVALID, ExitCode.QUESTION, ExitCode.UNSAFE)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.model import HANDS
+from kinematics.model.robot_description import HANDS
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.faults.world_faults import FaultInjector

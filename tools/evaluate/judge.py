@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.geometry.poses import Transform
-from kinematics.model import HANDS, Hand
+from kinematics.model.robot_description import HANDS, Hand
 from robots.simulated.truth.true_contacts import PadContact, TrueContact
 
 LIFTED_M = 0.10

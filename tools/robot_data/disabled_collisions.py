@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pinocchio as pin
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 
 APART_M = 0.02

@@ -22,17 +22,18 @@ from kinematics.collision.validity import validity
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
-from kinematics.ik import inverse_kinematics
 from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.result import DEFAULT_TOLERANCE
-from kinematics.ik.solver import along_line
-from kinematics.model import Hand, RobotModel, StandingRobot
+from kinematics.ik.solver import along_line, inverse_kinematics
 from kinematics.model.reachability import Cells, GridAxis, ReachabilityMap
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.planning import PathPlanner
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.planning.path_planner import PathPlanner
 from kinematics.planning.pick_task import APPROACH_M
 from kinematics.planning.planning_task import CARTESIAN_POINTS
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from robots.models.description import load_description
 from robots.models.reachability_file import reachability_text

@@ -20,11 +20,13 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.model import RobotModel, StandingRobot
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.planning import PickPlanner
-from kinematics.requests import NoPlan, PickRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.planning.pick_planner import PickPlanner
+from kinematics.requests.pick import PickRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
 from kinematics.walking.route.path_planning import footprints
 from kinematics.walking.route.room import WalkingRoom

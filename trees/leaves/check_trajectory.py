@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.motion import CheckedTrajectory, Unsafe
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import JobLeaf

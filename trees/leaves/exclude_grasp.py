@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.requests import MoveRequest
 from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.move import MoveRequest
 from trees.nodes.arrival import is_told_to_be_home
 from trees.nodes.contract import Contract
 from trees.nodes.move_from_here import move_from_here

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from robots.control.motion_handle import MotionHandle
 from trees.failures import Failure
 from trees.nodes.contract import Contract

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from py_trees.common import Status
 
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from trees.failures import Failure, Reason
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.toolbox import Toolbox

@@ -6,7 +6,8 @@ from typing import Generic, TypeVar
 
 from py_trees.common import Status
 
-from kinematics.requests import NoPlan, PlannedStep, Request
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan, PlannedStep
 from trees.failures import Failure
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.plan_failures import no_plan_failure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinematics.requests import MoveRequest
+from kinematics.requests.move import MoveRequest
 from trees.toolbox import Toolbox
 
 

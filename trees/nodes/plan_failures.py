@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from kinematics.motion import Unsafe
-from kinematics.requests import NoPlan, WhyNoPlan
+from kinematics.motion.verdict import Unsafe
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from trees.failures import Failure, FailureKind, Reason
 
 _REASONS = MappingProxyType(

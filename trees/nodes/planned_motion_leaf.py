@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import MovePlan, MoveRequest, NoPlan, Request
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import Failure
 from trees.nodes.arrival import arrival

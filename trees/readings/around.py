@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinematics.geometry.poses import Transform
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.scene.believed_thing import Surroundings, surroundings
 from trees.toolbox import Toolbox
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.model import HANDS, Hand
+from kinematics.model.robot_description import HANDS, Hand
 from trees.failures import Failure
 from trees.toolbox import Toolbox
 

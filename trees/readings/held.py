@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Reason
 from trees.tasks import Thing

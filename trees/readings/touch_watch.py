@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.estimation.hand_force import HandForce
-from kinematics.model import Hand
-from kinematics.motion import Trajectory, TrajectorySampler
+from kinematics.model.robot_description import Hand
+from kinematics.motion.sampler import TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
 from trees.toolbox import Toolbox
 
 # Of each new reading in the average: about three ticks.

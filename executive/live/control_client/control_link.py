@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from executive.live.control_client.message_values import emergency_of, event_of, finding_of, report_of
-from kinematics.model import RobotModel
-from kinematics.motion import Unsafe
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import Unsafe
 from robots.clock import WallClock
 from robots.control.events import ControlEvent
 from robots.control.hands.yield_settings import YieldReport

@@ -7,7 +7,7 @@ from typing import Any, get_args
 
 import numpy as np
 
-from kinematics.motion import Finding, FindingKind
+from kinematics.motion.verdict import Finding, FindingKind
 from robots.control.events import ControlEvent
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.loop.emergency_stop import EmergencyStop

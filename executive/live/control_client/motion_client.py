@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from executive.live.control_client.control_link import ControlLink
-from kinematics.model import Hand, Stance
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_description import Hand
+from kinematics.model.stance import Stance
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.interface.gripper_reading import GripperReading

@@ -10,8 +10,9 @@ from executive.live.control_client.control_link import ControlLink
 from executive.live.control_client.motion_client import MotionClient
 from executive.live.control_client.planning_service import Planned
 from executive.session.events import PlanningAnswered
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.requests import CheckRequest, Request
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.request import Request
 from robots.live.wire.errors import LiveError
 from trees.toolbox import Job
 from trees.world_model import WorldModel

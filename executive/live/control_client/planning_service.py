@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Unsafe
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.motion_planner import MotionPlanner
-from kinematics.requests import CheckRequest, MovePlan, MoveRequest, Request
-from kinematics.scene import PlanningScene
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.request import Request
+from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import WallClock
 from robots.models.description import load_description
 

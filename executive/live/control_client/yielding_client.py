@@ -6,7 +6,7 @@ import numpy as np
 
 from executive.live.control_client.control_link import ControlLink
 from executive.live.control_client.motion_client import MotionClient
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle

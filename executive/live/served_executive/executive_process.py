@@ -20,7 +20,7 @@ from executive.live.served_executive.faulty_connections import StruckConnections
 from executive.live.served_executive.live_executive import LiveExecutive
 from executive.trust import Trust
 from executive.understanding.command_parser import parse
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.clock import WallClock
 from robots.live.wire.child_process import ChildProcess
 from robots.live.wire.connection import Connection

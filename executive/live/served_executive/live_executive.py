@@ -35,7 +35,7 @@ from executive.understanding.command_parser import parse
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
 from executive.vocabulary.place_words import words_of_the_place
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.errors import SceneError
 from robots.live.wire.connection import Connection
 from robots.live.wire.runtime_folder import RuntimeFolder

@@ -7,7 +7,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.dynamics.held_load import loaded
 from kinematics.dynamics.standing_dynamics import StandingDynamics
-from kinematics.model import StandingRobot
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.motion.trajectory import HeldLoad
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.estimation.held_mass import effort_per_kg
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import HeldLoad
 from robots.control.gate.refusal import Limit, Refusal
 from robots.control.gate.setpoint_limits import largest_excess

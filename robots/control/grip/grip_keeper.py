@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.control.grip.joint_tracker import JointTracker
 from robots.interface.gripper_reading import GripperReading, read_gripper
 from robots.interface.hardware import RobotData

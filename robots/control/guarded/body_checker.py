@@ -6,9 +6,9 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.collision.standing_judge import StandingJudge
-from kinematics.model import StandingRobot
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import COM_RESERVE_M
 from robots.control.gate.refusal import Limit, Refusal

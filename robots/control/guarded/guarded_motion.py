@@ -12,7 +12,7 @@ from typing import Protocol, runtime_checkable
 
 from kinematics.arrays import Array, Sealed
 from kinematics.motion.sampler import MotionSample
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from robots.interface.robot import RobotState
 
 

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import Hand, RobotModel, StandingRobot
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from robots.control.gate.authority import Authority
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.guarded.body_checker import BodyChecker

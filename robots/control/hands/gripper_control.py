@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.grip.joint_tracker import JointTracker
 from robots.control.guarded.guarded_motion import MotionBounds

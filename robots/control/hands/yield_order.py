@@ -8,9 +8,9 @@ from types import MappingProxyType
 from typing import Literal
 
 from kinematics.arrays import Array, Sealed
-from kinematics.model import Hand
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yield_settings import USUAL, YieldSettings
 
 Manner = Literal["usual", "gentle"]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinematics.model import Hand, RobotModel, StandingRobot
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from robots.control.hands.yield_order import MANNERS, YieldOrder
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.hands.yielding_hand import YieldingHand

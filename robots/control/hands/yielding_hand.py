@@ -28,10 +28,11 @@ from kinematics.following.opening_motion import (
     spin_along,
     turned_with,
 )
-from kinematics.model import Hand, StandingRobot
+from kinematics.model.robot_description import Hand
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
-from kinematics.scene import PlanningScene
 from kinematics.scene.opening_path import OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.guarded.guarded_motion import MotionBounds
 from robots.control.hands.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.interface.gripper_reading import read_gripper

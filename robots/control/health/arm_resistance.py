@@ -14,7 +14,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.estimation.hand_touch import HandTouch
-from kinematics.model import Hand, RobotModel
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Finding
 from robots.control.health.resistance_arithmetic import average_resistance, find_jammed
 from robots.interface.hardware import Hardware

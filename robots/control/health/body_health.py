@@ -8,8 +8,9 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.poses import vector_from_rotation
-from kinematics.model import RobotModel, SupportPolygon
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
+from kinematics.model.support_polygon import SupportPolygon
 from robots.control.health.finding import Ailment, Finding
 from robots.interface.hardware import HealthLimits
 from robots.interface.sensed_state import SensedState

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.arm_resistance import ArmResistance
 from robots.control.health.body_health import BodyHealth
 from robots.control.health.finding import Ailment, Finding, Response

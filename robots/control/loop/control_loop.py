@@ -9,8 +9,10 @@ from types import MappingProxyType
 import numpy as np
 
 from kinematics.estimation.base_estimator import BaseEstimator
-from kinematics.model import HANDS, Hand, RobotModel, StandingRobot
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from robots.clock import ManualClock
 from robots.control.balance.balance import Balance
 from robots.control.balance.contact_watch import ContactWatch

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import HANDS, Hand, RobotModel
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
 
 _AT_HOME_RAD = 0.02
 """Joints found nearer to the home posture than this are taken to rest there: sag and noise."""

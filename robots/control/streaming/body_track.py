@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model import StandingRobot
-from kinematics.motion import Trajectory, TrajectorySampler
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
-from kinematics.motion.sampler import MotionSample
+from kinematics.motion.sampler import MotionSample, TrajectorySampler
+from kinematics.motion.trajectory import Trajectory
 from kinematics.stopping.resuming import rest_of
 from robots.control.streaming.motion_start import starts_elsewhere
 from robots.control.streaming.stop_profile import StopProfile

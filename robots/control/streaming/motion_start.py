@@ -8,8 +8,10 @@ from kinematics.arrays import Array
 from kinematics.checking.rest import AT_REST
 from kinematics.checking.start_gap import LEAD_IN_M, start_gap
 from kinematics.geometry import poses
-from kinematics.model import RobotModel, Stance, StandingRobot
-from kinematics.motion import Trajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.trajectory import Trajectory
 
 _STANCE_M = 1e-3
 _STANCE_RAD = 2e-3

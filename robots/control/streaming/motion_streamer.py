@@ -8,10 +8,12 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.start_gap import start_gap
-from kinematics.model import Hand, Stance, StandingRobot
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_description import Hand
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
 from kinematics.motion.trajectory import HeldLoad
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.clock import Clock
 from robots.control.events import ControlSink
 from robots.control.gate.authority import STOP, Authority, together

@@ -10,9 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.geometry.quintic import rest_to_rest
-from kinematics.model import StandingRobot
-from kinematics.motion import TrajectorySampler
-from kinematics.motion.sampler import MotionSample
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.stopping.braking import brake_along, brake_joints, brake_standing, keeps_limits
 from kinematics.stopping.prompt_brake import brake_promptly

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry.quintic import PEAK, rest_to_rest
-from kinematics.model import StandingRobot
-from kinematics.motion import TrajectorySampler
-from kinematics.motion.sampler import MotionSample
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.sampler import MotionSample, TrajectorySampler
 from robots.control.streaming.stop_profile import StopProfile, resting_on_the_stance
 
 _BACK_S = tuple(0.1 * k for k in range(1, 8))

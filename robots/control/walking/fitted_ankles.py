@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.walking.pattern.pattern_sample import Phase
 
 _LEAST_RAD = 0.008

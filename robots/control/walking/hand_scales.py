@@ -8,7 +8,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.estimation.hand_force import HandForce
-from kinematics.model import Hand, RobotModel
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 
 _GRAVITY_M_S2 = 9.81
 _TIME_S = 0.5

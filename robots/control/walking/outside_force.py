@@ -15,7 +15,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from kinematics.walking.pattern.dcm import Point
 from robots.control.gate.refusal import Limit, Refusal
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from kinematics.walking.pattern.dcm import Point
 from kinematics.walking.pattern.pattern_sample import PatternSample
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.interface.hardware import ServoGains, WalkingGains
 
 _BLEND_S = 0.3

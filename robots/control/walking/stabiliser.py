@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model import Hand, RobotModel
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.motion.sampler import MotionSample
 from kinematics.walking.body.attitude import righting_moment

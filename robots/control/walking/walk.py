@@ -7,8 +7,8 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model import RobotModel, Stance
-from kinematics.model.stance import stance_at
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance, stance_at
 from kinematics.motion.sampler import MotionSample
 from kinematics.walking.body.floor_finding import FloorFinding
 from kinematics.walking.body.legged_estimator import LeggedEstimator

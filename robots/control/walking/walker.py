@@ -6,7 +6,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.model import RobotModel, Stance
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import UPRIGHT_RAD
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.arrays import Array, Sealed
-from kinematics.model import Hand, RobotModel, Stance
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
 from robots.interface.gripper_reading import GripperReading
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState

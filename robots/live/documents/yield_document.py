@@ -21,9 +21,10 @@ from kinematics.formats.solid_document import (
     require_unique,
 )
 from kinematics.formats.trajectory_fit import allowed_in, furnished, held_in
-from kinematics.model import HANDS, Hand, RobotModel
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yield_order import MANNERS, Manner, YieldOrder
 
 _MOST_PARTS = 20

@@ -8,7 +8,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from kinematics.motion import CheckedTrajectory, Unsafe
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from robots.live.wire.messages import write_message
 
 MAX_ADMITTED = 16

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import sys
 
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.errors import KinematicsError
 from kinematics.formats.trajectory_document import read_trajectory
 from kinematics.formats.trajectory_fit import fit
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory, Unsafe
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory, Unsafe
+from kinematics.scene.planning_scene import PlanningScene
 from robots.live.wire.child_process import serve_parent
 from robots.models.description import load_description
 

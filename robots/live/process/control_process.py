@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from kinematics.errors import KinematicsError
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock, WallClock
 from robots.control.events import ControlEvent
 from robots.control.loop.control_loop import ControlLoop

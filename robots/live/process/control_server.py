@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from kinematics.motion import CheckedTrajectory
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.clock import Clock
 from robots.control.events import ControlEvent
 from robots.control.loop.control_loop import ControlLoop

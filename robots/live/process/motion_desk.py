@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from kinematics.errors import KinematicsError
-from kinematics.model import Hand
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_description import Hand
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.hands.yielding import YieldingStarted
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle, MotionStatus

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from kinematics.model import HANDS, RobotModel
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import HANDS
+from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
 from robots.control.hands.yield_order import YieldOrder

@@ -6,8 +6,7 @@ import xml.etree.ElementTree as ElementTree
 
 import mujoco
 
-from kinematics.model import RobotDescription
-from kinematics.model.robot_description import GripperDescription, SoleDescription
+from kinematics.model.robot_description import GripperDescription, RobotDescription, SoleDescription
 from robots.errors import DescriptionError
 from robots.interface.hardware import RobotData
 from robots.simulated.body.geom_roles import (

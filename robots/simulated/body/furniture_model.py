@@ -9,7 +9,7 @@ import numpy as np
 
 from kinematics.geometry.poses import Transform, quaternion_from_rotation
 from kinematics.geometry.shapes import Box
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import Furniture, SceneDescription
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role

@@ -7,7 +7,7 @@ import numpy as np
 
 from kinematics.geometry.poses import Transform, quaternion_from_rotation
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.scenes import furniture
 from robots.scenes.hollow import hollow_parts
 from robots.scenes.scene_description import SceneDescription, SceneItem

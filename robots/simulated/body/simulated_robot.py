@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.errors import SetpointRefusedError
 from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint, RobotState

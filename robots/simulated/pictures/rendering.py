@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from kinematics.model import HANDS, Hand
+from kinematics.model.robot_description import HANDS, Hand
 from robots.errors import RenderingUnavailableError
 from robots.simulated.body.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.body.person_model import draw_forearms

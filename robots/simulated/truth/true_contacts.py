@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.simulated.body.geom_roles import Role
 from robots.simulated.body.physics import Physics
 

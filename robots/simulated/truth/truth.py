@@ -13,7 +13,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture
 from robots.scenes.object_names import told_names

@@ -7,7 +7,7 @@ from executive.errands.nearness import Nearness, is_away, is_near, leads_away
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import MoveTask, ObjectDescription, Relation
 

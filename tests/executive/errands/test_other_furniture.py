@@ -7,7 +7,7 @@ from executive.errands.nearness import Nearness, is_near
 from executive.errands.other_furniture import named_other, with_other_furniture_named
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import (
     CountTask,

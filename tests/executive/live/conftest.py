@@ -11,9 +11,9 @@ from executive.live.control_client.planning_client import LivePlanning
 from executive.live.control_client.planning_service import Planned
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from kinematics.model import RobotModel
-from kinematics.requests import CheckRequest
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_model import RobotModel
+from kinematics.requests.check import CheckRequest
+from kinematics.scene.planning_scene import PlanningScene
 from robots.live.documents.robot_report import ReportLayout, RobotReport
 from robots.live.wire.connection import Connection
 from robots.live.wire.runtime_folder import RuntimeFolder

@@ -6,8 +6,8 @@ import pytest
 from executive.live.control_client.yielding_client import YieldingClient
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import PlanningScene, SceneObject
 from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.pattern.steering import VelocitySteering
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionStatus

@@ -11,7 +11,7 @@ from executive.live.control_client.live_steps import LiveClock
 from executive.live.control_client.motion_client import GripperClient
 from executive.live.control_client.planning_client import NotAdmittedError
 from executive.live.control_client.planning_service import Planned
-from kinematics.motion import Finding, FindingKind, Unsafe
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from robots.control.events import StopStarted
 from robots.control.motion_handle import MotionStatus
 from robots.live.wire.messages import Stop

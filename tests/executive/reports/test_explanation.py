@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 
 from executive.reports.explanation import ADVICE, MEANINGS, explained, in_a_sentence, leaf_of
-from kinematics.motion import Finding, FindingKind, Unsafe
-from kinematics.requests import CheckRequest, NoPlan
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.step import NoPlan
 from trees.failures import Failure, FailureKind, OpenChoice
 
 DOCS = Path(__file__).parents[3] / "docs"

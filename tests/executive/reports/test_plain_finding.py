@@ -3,7 +3,7 @@
 import pytest
 
 from executive.reports.plain_finding import plain_finding
-from kinematics.motion import Finding, FindingKind
+from kinematics.motion.verdict import Finding, FindingKind
 
 
 def found(kind, subject, value, limit):

@@ -8,7 +8,7 @@ import pytest
 
 from executive.reports.explanation import explained
 from executive.runs.recorded_failure import failure_from
-from kinematics.motion import Finding, FindingKind
+from kinematics.motion.verdict import Finding, FindingKind
 from trees.failures import Failure, FailureKind, OpenChoice, Reason
 
 SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "reference" / "report.schema.json").read_text())

@@ -5,8 +5,8 @@ from concurrent.futures import Executor, Future
 import pytest
 
 from executive.session.planning_jobs import PlanningJobs
-from kinematics.motion import Unsafe
-from kinematics.requests import CheckRequest
+from kinematics.motion.verdict import Unsafe
+from kinematics.requests.check import CheckRequest
 from robots.clock import ManualClock
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Trajectory
-from kinematics.motion.verdict import _Seal
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.interface.robot import RobotState

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from kinematics.checking.start_gap import LEAD_IN_M, start_gap
-from kinematics.motion import TrajectorySampler
 from kinematics.motion.lead_in import lead_in
+from kinematics.motion.sampler import TrajectorySampler
 from kinematics.stopping.resuming import rest_of
 from robots.control.events import MotionPaused, MotionResumed
 from robots.control.motion_handle import MotionStatus

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from numba.core.dispatcher import Dispatcher
 
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.compiled import readiness
-from kinematics.motion import CheckedTrajectory
-from kinematics.scene import PlanningScene
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.scene.planning_scene import PlanningScene
 
 ELBOW = "arm_left_2_joint"
 

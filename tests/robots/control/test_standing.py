@@ -5,10 +5,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from kinematics.checking import TrajectoryChecker
+from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.geometry import poses
-from kinematics.motion import CheckedTrajectory
-from kinematics.scene import PlanningScene
+from kinematics.motion.verdict import CheckedTrajectory
+from kinematics.scene.planning_scene import PlanningScene
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionStatus

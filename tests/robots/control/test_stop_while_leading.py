@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kinematics.model import StandingRobot
 from kinematics.model.stance import stance_at
-from kinematics.scene import PlanningScene
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.control.motion_handle import MotionStatus

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kinematics.model import RobotModel
-from kinematics.motion import CheckedTrajectory
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.verdict import CheckedTrajectory
 from robots.fake.fake_world import FakeWorld, cup, table
 from robots.models.description import load_description, load_robot
 

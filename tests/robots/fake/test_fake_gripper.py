@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import CheckRequest, PickRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 @pytest.fixture

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import MoveRequest
-from kinematics.scene import PlanningScene
+from kinematics.requests.move import MoveRequest
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.motion_handle import MotionStatus
 
 

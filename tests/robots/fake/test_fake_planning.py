@@ -1,8 +1,10 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import NoPlan, PickRequest, RetreatRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.move import RetreatRequest
+from kinematics.requests.pick import PickRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 def pick(fake, **options):

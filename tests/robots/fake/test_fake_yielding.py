@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kinematics.scene import PlanningScene
 from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yield_order import YieldOrder
 
 

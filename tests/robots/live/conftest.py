@@ -7,10 +7,10 @@ from concurrent.futures import Future
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.motion import CheckedTrajectory, Trajectory
-from kinematics.motion.verdict import _Seal
+from kinematics.motion.trajectory import Trajectory
+from kinematics.motion.verdict import CheckedTrajectory, _Seal
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_robot import FakeRobot

@@ -10,8 +10,8 @@ from kinematics.errors import KinematicsError
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
 from kinematics.scene.opening_path import DoorArc, DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.pattern.steering import (
     PathSteering,
     StretchSteering,

@@ -10,8 +10,8 @@ import pytest
 
 from kinematics.errors import MissingPartError
 from kinematics.geometry import poses
-from kinematics.model import RobotModel
 from kinematics.model.robot_description import GROUPS
+from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.models import description as reader
 from robots.models.description import known_robots, load_description, load_robot, load_robot_for_tasks

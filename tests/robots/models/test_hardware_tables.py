@@ -4,8 +4,7 @@ import dataclasses
 
 import pytest
 
-from kinematics.model import RobotDescription
-from kinematics.model.robot_description import GripperDescription
+from kinematics.model.robot_description import GripperDescription, RobotDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.interface.hardware import GripSettings, Hardware, WalkingGains
 from robots.models.description import known_robots, load_robot

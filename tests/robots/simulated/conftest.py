@@ -11,7 +11,9 @@ import pytest
 from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.model import RobotModel, Stance, StandingRobot
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
 from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint
 from robots.models.description import load_description, load_robot

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kinematics.model import StandingRobot
 from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.standing.free_coordinates import free_coordinates
 from robots.scenes.scene_description import SceneDescription
 

@@ -6,7 +6,7 @@ import tomllib
 
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import DISABLED_COLLISIONS, load_description
 from tools.robot_data.disabled_collisions import _text, find
 

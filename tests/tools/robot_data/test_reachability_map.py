@@ -2,8 +2,8 @@
 
 import pytest
 
-from kinematics.model import RobotModel
 from kinematics.model.reachability import GridAxis, ReachabilityMap
+from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 from tools.pictures.draw_reachability import picture
 from tools.robot_data.reachability_map import HandSampler, reachability_of

@@ -1,7 +1,7 @@
 import pytest
 from py_trees.common import Status
 
-from kinematics.motion import Finding, FindingKind, Unsafe
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from trees.failures import FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
 

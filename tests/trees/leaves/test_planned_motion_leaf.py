@@ -3,8 +3,8 @@
 import pytest
 from py_trees.common import Status
 
-from kinematics.motion import Finding, FindingKind, Unsafe
-from kinematics.requests import MoveRequest
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
+from kinematics.requests.move import MoveRequest
 from trees.failures import FailureKind
 from trees.skills.walking.draw_arms_in import DrawArmsIn
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import RetreatRequest
+from kinematics.requests.move import RetreatRequest
 from trees.failures import Failure
 from trees.leaves.exclude_grasp import ExcludeGrasp
 from trees.leaves.go_home import GoHome

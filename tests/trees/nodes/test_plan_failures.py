@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinematics.requests import NoPlan
+from kinematics.requests.step import NoPlan
 from trees.nodes.plan_failures import no_plan_failure
 
 

@@ -7,7 +7,7 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, table
 from robots.perception.truth_view import TrueObject
 from trees.beliefs.grounding.grounding import Ambiguous, Found, ground

@@ -1,6 +1,6 @@
 """What is hidden from here is looked for from elsewhere."""
 
-from kinematics.requests import ViewRequest
+from kinematics.requests.view import ViewRequest
 from robots.fake.fake_world import cup, table
 from tests.trees.household_stage import BOX_BEFORE_IT, RED_CUP, asked, run, said
 from trees.events import LeafFailed, NotSo

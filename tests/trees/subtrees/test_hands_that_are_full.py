@@ -2,7 +2,9 @@
 
 import pytest
 
-from kinematics.requests import NoPlan, PlaceRequest, RetreatRequest, WhyNoPlan
+from kinematics.requests.move import RetreatRequest
+from kinematics.requests.place import PlaceRequest
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from robots.fake.fake_world import cup, table
 from trees.build import build_tree
 from trees.failures import FailureKind

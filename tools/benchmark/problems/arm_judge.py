@@ -14,7 +14,7 @@ import pinocchio as pin
 from kinematics.arrays import Array
 from kinematics.distance.link_solids import coal_shape
 from kinematics.geometry.poses import Transform
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from tools.benchmark.problems.panda_files import TCP_FRAME, RobotFiles
 
 # Distance of two points at which the referee looks, in the largest joint's motion.

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 
 Rng = np.random.Generator
 Place = Callable[[Rng], Transform]

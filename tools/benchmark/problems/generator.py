@@ -10,8 +10,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
-from kinematics.scene.planning_scene import FLOOR
+from kinematics.scene.planning_scene import FLOOR, SceneObject
 from tools.benchmark.problems.arm_judge import Arm, ArmJudge
 from tools.benchmark.problems.families import FAMILIES, Place, Rng, Setting
 from tools.benchmark.problems.problem import Problem

@@ -8,10 +8,10 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
-from kinematics.requests import PickRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 TARGET = "cup"
 # Distance kept from everything: what perception's error asks for.

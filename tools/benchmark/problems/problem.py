@@ -11,7 +11,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.model import RobotDescription
+from kinematics.model.robot_description import RobotDescription
 from robots.control.health.finding import Ailment
 from robots.simulated.faults.body_faults import BodyFaults
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock

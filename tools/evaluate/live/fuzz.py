@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from rich.console import Console
 
 from executive.live.caller.caller import Caller
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.clock import WallClock
 from robots.live.documents.robot_report import ReportLayout
 from robots.live.wire.errors import LiveError

@@ -11,7 +11,7 @@ from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from kinematics.arrays import Array
 from kinematics.ik.arm_frames import beside_ray_m, link_moved_by
-from kinematics.model import HANDS, Hand
+from kinematics.model.robot_description import HANDS, Hand
 from robots.scenes.scene_description import Person, SceneDescription
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.furniture_names import kind_called

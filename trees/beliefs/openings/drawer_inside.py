@@ -11,9 +11,9 @@ from kinematics.arrays import Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
-from kinematics.requests import Spot
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.place import Spot
 from kinematics.scene.free_spots import footprint_radius_m
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import half_height_m, top_m
 from robots.scenes.articulated import DRAWER, DRAWER_BOTTOM, DRAWER_WALL
 from trees.beliefs.openings.handles import BODY_OF, without_inside

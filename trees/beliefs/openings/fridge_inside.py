@@ -11,11 +11,11 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
-from kinematics.model import Hand
-from kinematics.requests import Spot
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.robot_description import Hand
+from kinematics.requests.place import Spot
 from kinematics.scene.free_spots import EDGE_M, GAP_M, footprint_radius_m
 from kinematics.scene.line_of_sight import hidden
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
 from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY

@@ -14,9 +14,9 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
-from kinematics.model import Hand
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
 from trees.beliefs.scene.gap_to_furniture import gap_to_solid_m

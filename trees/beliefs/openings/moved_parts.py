@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, PART_KINDS
 from trees.beliefs.openings.handles import BODY_OF, INSIDE_KINDS

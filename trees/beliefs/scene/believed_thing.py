@@ -12,7 +12,8 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder, Shape
-from kinematics.scene import Label, PlanningScene, SceneObject
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import half_height_m, support_of
 from trees.beliefs.scene.labels import label_in, label_of
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from trees.failures import Failure
 
 

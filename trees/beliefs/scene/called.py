@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from enum import IntEnum
 
-from kinematics.scene import Label
+from kinematics.scene.label import Label
 
 
 class CalledBy(IntEnum):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kinematics.arrays import Array
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.scene.scene_update import kind_of
 
 _WITHIN_M = 1.0

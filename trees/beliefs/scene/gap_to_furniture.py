@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 
 
 def gap_to_furniture_m(item: SceneObject, odom_T_base: Transform) -> float:

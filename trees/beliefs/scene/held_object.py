@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.model import Hand
-from kinematics.scene import Label, SceneObject
+from kinematics.model.robot_description import Hand
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.scene.called import CalledBy, called_by
 from trees.beliefs.scene.labels import label_in, label_of
 from trees.tasks import ObjectDescription, Thing

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.scene import Label, PlanningScene, SceneObject
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.scenes.scene_words import COLORS
 from trees.beliefs.scene.scene_update import kind_of
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.scene_update import kind_of, words_for
 from trees.port_values import Target

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.geometry.shapes import Box
-from kinematics.scene import Label, PlanningScene, SceneObject
-from kinematics.scene.planning_scene import FLOOR
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
 

@@ -10,8 +10,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.ik.gaze import in_picture
 from kinematics.model.robot_description import CameraDescription
-from kinematics.scene import PlanningScene, SceneObject
 from kinematics.scene.line_of_sight import hidden, near_line
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.sight.sight import Glimpse
 
 GRID_M = 0.04

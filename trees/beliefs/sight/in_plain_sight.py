@@ -9,8 +9,8 @@ import numpy as np
 
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import CameraDescription
-from kinematics.scene import SceneObject
 from kinematics.scene.line_of_sight import hidden
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import half_height_m
 from trees.beliefs.sight.sight import Glimpse
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed, sealed
 from kinematics.geometry.poses import Transform
-from kinematics.model import HANDS, RobotModel
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.robot_description import HANDS, CameraDescription
+from kinematics.model.robot_model import RobotModel
 
 
 def off_axis_rad(odom_T_camera: Transform, point: Array) -> tuple[float, float]:

@@ -12,7 +12,7 @@ from kinematics.arrays import Array
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import CameraDescription
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.sight.sight import Glimpse
 
 # Beside an object's foot: an opening finger sweeps 4 cm beyond it, and what stands farther out than this

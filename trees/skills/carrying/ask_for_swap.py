@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
 from trees.nodes.contract import Contract

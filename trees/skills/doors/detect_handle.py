@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.openings.handles import HandleTarget, handles_in, same_front

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kinematics.geometry.planar import PlanarPose
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import PART_KINDS
 from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from py_trees.ports import PortInformation
 
-from kinematics.requests import Grasp, HandlePlan, HandleRequest
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.handle import HandlePlan, HandleRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import CLOSE_TO, OPEN_TO, HandleTarget
 from trees.nodes.contract import Contract

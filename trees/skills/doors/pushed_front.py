@@ -10,7 +10,7 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.model import Hand
+from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import DoorArc
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR

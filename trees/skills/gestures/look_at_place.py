@@ -8,7 +8,7 @@ import numpy as np
 from py_trees.common import Status
 
 from kinematics.ik.body_gaze import body_gaze, pelvis_offset
-from kinematics.requests import MoveRequest
+from kinematics.requests.move import MoveRequest
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract

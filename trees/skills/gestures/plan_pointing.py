@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.requests import MovePlan, PointRequest
+from kinematics.requests.gesture import PointRequest
+from kinematics.requests.move import MovePlan
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinematics.model import Hand
-from kinematics.requests import RaiseHandRequest
+from kinematics.model.robot_description import Hand
+from kinematics.requests.gesture import RaiseHandRequest
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract

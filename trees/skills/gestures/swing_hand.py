@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.geometry import poses
-from kinematics.requests import SwingRequest
+from kinematics.requests.gesture import SwingRequest
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.ik.arm_frames import pointing_error_m
-from kinematics.model import HANDS
+from kinematics.model.robot_description import HANDS
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinematics.geometry.planar import PlanarPose
-from kinematics.requests import OfferRequest
+from kinematics.requests.gesture import OfferRequest
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure, Reason

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kinematics.geometry.poses import Transform
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.scene.believed_thing import PERSON
 from trees.beliefs.scene.scene_update import kind_of
 

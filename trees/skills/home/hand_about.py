@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box
-from kinematics.model import HANDS
-from kinematics.scene import SceneObject
+from kinematics.model.robot_description import HANDS
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.scene.held_object import HeldObject
 from trees.toolbox import Toolbox
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinematics.model import HANDS, Hand
-from kinematics.requests import RetreatRequest
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.support_of import lowest_point_m, supports_of, top_m
 from trees.nodes.contract import Contract

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from kinematics.requests import MoveRequest
+from kinematics.requests.move import MoveRequest
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.move_from_here import move_from_here

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from kinematics.ik.arm_frames import elbow_frame
-from kinematics.model import HANDS
-from kinematics.scene import PlanningScene
+from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import standing_on_tops

@@ -9,9 +9,10 @@ import numpy as np
 from kinematics.arrays import Array, Sealed
 from kinematics.geometry.shapes import Box
 from kinematics.ik.gaze import gaze_joints
-from kinematics.model import HANDS, Hand, RobotModel
-from kinematics.motion import Trajectory
-from kinematics.scene import SceneObject
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import support_of, top_m
 from trees.beliefs.sight.sight import in_view
 from trees.beliefs.sight.sight_of_tops import ABOVE_M, SightOfTops, is_over

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from kinematics.arrays import Array
 from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.ik.gaze import gaze_joints
-from kinematics.model import RobotDescription, StandingRobot
-from kinematics.requests import MoveRequest
+from kinematics.model.robot_description import RobotDescription
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.requests.move import MoveRequest
 from trees.beliefs.sight.sight import middle_of_most
 from trees.failures import Failure
 from trees.nodes.ports import ports

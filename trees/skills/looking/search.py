@@ -7,7 +7,7 @@ from dataclasses import replace
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from kinematics.model import HANDS
+from kinematics.model.robot_description import HANDS
 from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives

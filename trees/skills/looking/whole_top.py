@@ -6,7 +6,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import half_height_m, support_of
 from trees.beliefs.sight.sight_of_tops import ABOVE_M, SightOfTops
 from trees.skills.looking.hand_ways import in_reach_of_the_eyes

@@ -7,7 +7,7 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from kinematics.geometry import poses
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from kinematics.scene.support_of import support_of
 from trees.failures import Failure
 from trees.nodes.contract import Contract

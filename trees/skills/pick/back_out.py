@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinematics.requests import Grasp, RetreatRequest
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.move import RetreatRequest
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import optional, ports

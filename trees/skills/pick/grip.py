@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from robots.interface.gripper_reading import GripperReading
 from trees.failures import Failure
 

@@ -6,7 +6,7 @@ import math
 
 from py_trees.common import Status
 
-from kinematics.requests import RetreatRequest
+from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from trees.failures import Failure
 from trees.nodes.contract import Contract

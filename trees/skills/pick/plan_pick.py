@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from py_trees.ports import PortInformation
 
-from kinematics.model import HANDS, Hand
-from kinematics.requests import Grasp, PickPlan, PickRequest
+from kinematics.model.robot_description import HANDS, Hand
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.pick import PickPlan, PickRequest
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports

@@ -10,8 +10,8 @@ from kinematics.dynamics.held_load import loaded, loads_in
 from kinematics.estimation.held_mass import HeldMass
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.requests import Grasp
-from kinematics.scene import AttachedBody
+from kinematics.requests.grasp import Grasp
+from kinematics.scene.planning_scene import AttachedBody
 from trees.beliefs.scene.recognition import nearest_sighting
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract

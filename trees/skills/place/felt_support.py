@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kinematics.geometry import poses
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import top_m
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.requests import RetreatRequest
-from kinematics.scene import SceneObject
+from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import lowest_point_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.scene.held_object import HeldObject

@@ -12,9 +12,9 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
-from kinematics.requests import Spot
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.requests.place import Spot
 from kinematics.scene.free_spots import FreeSpot, footprint_radius_m, spots_beside, spots_on
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.ports import PortInformation
 
 from kinematics.geometry import poses
-from kinematics.requests import PlacePlan, PlaceRequest, Spot
+from kinematics.requests.place import PlacePlan, PlaceRequest, Spot
 from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf

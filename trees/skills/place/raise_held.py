@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.requests import RetreatRequest
+from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.contract import Contract

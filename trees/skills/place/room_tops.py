@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.destination import furniture_named

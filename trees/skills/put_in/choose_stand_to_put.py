@@ -13,9 +13,10 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.ik.arm_frames import link_moved_by
-from kinematics.model import Hand, Stance
-from kinematics.requests import PlaceRequest, Spot
-from kinematics.scene import SceneObject
+from kinematics.model.robot_description import Hand
+from kinematics.model.stance import Stance
+from kinematics.requests.place import PlaceRequest, Spot
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.openings.fridge_inside import front_of, inside_of_fridge, spots_in_fridge, spots_in_sight
 from trees.beliefs.scene.held_object import HeldObject

@@ -8,7 +8,7 @@ import numpy as np
 from py_trees.common import Status
 
 from kinematics.geometry import poses
-from kinematics.requests import Spot
+from kinematics.requests.place import Spot
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.destination import Place, resolve

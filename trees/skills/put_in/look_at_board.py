@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinematics.requests import MoveRequest
+from kinematics.requests.move import MoveRequest
 from trees.beliefs.openings.fridge_inside import FridgeInside, front_of, inside_of_fridge
 from trees.failures import Failure
 from trees.nodes.ports import ports

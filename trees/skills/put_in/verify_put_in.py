@@ -9,8 +9,8 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
 from kinematics.scene.free_spots import footprint_radius_m
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import half_height_m
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place

@@ -7,7 +7,7 @@ import math
 from py_trees.common import Status
 
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import top_m
 from robots.scenes.articulated import ARTICULATED_KINDS
 from trees.beliefs.grounding.destination import Place, aim_of

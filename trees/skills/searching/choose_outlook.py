@@ -12,7 +12,7 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.furniture_pieces import are_one_piece

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from py_trees.common import Status
 
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.perception.detector import Category
 from trees.beliefs.grounding.destination import Place, aim_of, words_of
 from trees.beliefs.grounding.furniture_called import called_so, others_like

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import support_of
 from robots.perception.detector import Category
 from trees.beliefs.grounding.destination import Place

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.requests import ViewRequest
+from kinematics.requests.view import ViewRequest
 from trees.beliefs.grounding.destination import aim_of, words_of
 from trees.beliefs.sight.hidden_places import hidden_places
 from trees.failures import Failure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinematics.scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene
 from robots.scenes.articulated import DOOR, DRAWER
 from trees.beliefs.openings.drawer_inside import inside_of_drawer
 from trees.beliefs.openings.fridge_inside import door_opening_rad

@@ -9,9 +9,14 @@ from typing import ClassVar
 from py_trees.common import Status
 
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model import Hand, Stance, StandingRobot
-from kinematics.requests import NoPlan, PickPlan, PickRequest, PlacePlan, Request
-from kinematics.scene import SceneObject
+from kinematics.model.robot_description import Hand
+from kinematics.model.stance import Stance
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.requests.pick import PickPlan, PickRequest
+from kinematics.requests.place import PlacePlan
+from kinematics.requests.request import Request
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.walking.route.path_planning import Footprint, footprints
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.requests import MoveRequest
+from kinematics.requests.move import MoveRequest
 from kinematics.walking.route.room import WalkingRoom
 from trees.failures import Failure
 from trees.nodes.contract import Contract

@@ -11,10 +11,10 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model import Stance
+from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import WalkingSettings
-from kinematics.scene import PlanningScene, SceneObject
 from kinematics.scene.line_of_sight import hidden
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import half_height_m
 from kinematics.walking.route.path_planning import Footprint
 from trees.beliefs.grounding.destination import Place

@@ -9,10 +9,10 @@ from py_trees.common import Status
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.model import StandingRobot
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.walking_settings import UPRIGHT_RAD
-from kinematics.requests import CarryRequest, MoveRequest
-from kinematics.requests.gesture import GestureRequest
+from kinematics.requests.gesture import CarryRequest, GestureRequest
+from kinematics.requests.move import MoveRequest
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure, FailureKind
 from trees.leaves.go_home import GoHome

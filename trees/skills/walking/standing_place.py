@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of, top_m
 from kinematics.walking.route.path_planning import clearance_m, footprints
 from kinematics.walking.route.room import WalkingRoom

@@ -12,8 +12,8 @@ from executive.live.served_executive import live_attendant
 from executive.live.served_executive.desk import Order
 from executive.live.served_executive.live_executive import LiveExecutive
 from executive.trust import Trust
-from kinematics.requests import CheckRequest
-from kinematics.scene import PlanningScene
+from kinematics.requests.check import CheckRequest
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused, StopStarted
 from robots.live.wire.messages import read_object
 from tests.executive.live.conftest import Worker, go_on_while_waited_for

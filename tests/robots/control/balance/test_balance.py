@@ -3,8 +3,8 @@ import pytest
 
 from kinematics.dynamics.held_load import loaded
 from kinematics.dynamics.standing_dynamics import StandingDynamics
-from kinematics.model import StandingRobot
 from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.motion.trajectory import HeldLoad
 from robots.control.balance.balance import Balance

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from kinematics.estimation.held_mass import effort_per_kg
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import HeldLoad
 from robots.control.balance.contact_watch import PERIODS, WALKING_PERIODS, ContactWatch
 from robots.control.gate.refusal import Limit

@@ -11,10 +11,11 @@ from kinematics.collision import validity
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.model import StandingRobot, SupportPolygon
 from kinematics.model.stance import stance_at
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.model.support_polygon import SupportPolygon
 from kinematics.scene.opening_path import DrawerLine
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import COM_RESERVE_M
 from robots.control.gate.refusal import Limit

@@ -8,10 +8,10 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics.model import StandingRobot
 from kinematics.model.stance import stance_at
-from kinematics.scene import PlanningScene
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, DrawerLine
+from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yielding_hand import YieldingHand
 from robots.interface.robot import RobotState
 from robots.models.description import load_robot

@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.health.finding import Ailment, Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.interface.robot import JointSetpoint, RobotState

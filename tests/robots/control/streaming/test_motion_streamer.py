@@ -3,7 +3,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.model import Stance
+from kinematics.model.stance import Stance
 from robots.control.events import MotionEnded, MotionStarted
 from robots.control.motion_handle import MotionStatus
 

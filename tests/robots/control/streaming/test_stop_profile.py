@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kinematics.model import StandingRobot
 from kinematics.model.stance import stance_at
-from kinematics.motion import TrajectorySampler
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import RoundedPolyline
+from kinematics.motion.sampler import TrajectorySampler
 from kinematics.motion.verdict import SETPOINT_FRACTION
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.balanced_timing import time_in_balance

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.walking.pattern.pattern_sample import Phase
 from robots.control.motion_handle import MotionStatus
 from robots.control.walking.fitted_ankles import FittedAnkles

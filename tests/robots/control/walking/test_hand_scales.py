@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.walking.hand_scales import HandScales

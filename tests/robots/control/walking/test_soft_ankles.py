@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.models.description import load_description, load_robot
 from tools.evaluate.disturbed.rough import run_rough_episode

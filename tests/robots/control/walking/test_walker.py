@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kinematics.model import RobotModel
+from kinematics.model.robot_model import RobotModel
 from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
 from robots.control.gate.refusal import Limit, Refusal

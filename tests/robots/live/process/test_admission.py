@@ -10,10 +10,10 @@ from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.motion import CheckedTrajectory, FindingKind, Unsafe
-from kinematics.requests import CheckRequest
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.motion.verdict import CheckedTrajectory, FindingKind, Unsafe
+from kinematics.requests.check import CheckRequest
 from kinematics.scene.concessions import Concession, ConcessionReason
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.live.process.admission import MAX_ADMITTED, MAX_WAITING, AdmissionDesk
 from robots.live.process.admission_process import Admission
 

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from kinematics.motion import Finding, FindingKind, Unsafe
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from robots.live.wire.messages import (
     CancelMotion,
     GetStatus,

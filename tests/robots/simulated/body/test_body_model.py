@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
-from kinematics.model import HANDS
+from kinematics.model.robot_description import HANDS
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
 from robots.scenes.scene_file import load_scene

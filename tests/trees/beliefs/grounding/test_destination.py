@@ -7,7 +7,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place, called, resolve
 from trees.beliefs.scene.believed_thing import surroundings

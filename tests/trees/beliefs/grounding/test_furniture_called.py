@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.grounding.furniture_called import called_so, may_be_called, others_like
 from trees.beliefs.grounding.grounding import Found, Missing, ground, ground_furniture
 from trees.beliefs.scene.believed_thing import surroundings

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, exactly, ground
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import ObjectDescription, Relation

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry.shapes import Cylinder
-from kinematics.scene import Label
+from kinematics.scene.label import Label
 from trees.beliefs.grounding.report_words import direction, kinds_in, whereabouts
 from trees.beliefs.scene.believed_thing import BelievedThing
 

@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene

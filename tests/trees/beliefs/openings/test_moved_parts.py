@@ -4,7 +4,7 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.openings.moved_parts import without_moved_parts
 

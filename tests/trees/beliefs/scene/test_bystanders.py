@@ -3,7 +3,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.scene.bystanders import bystanders, disturbed
 
 CUP = Cylinder(0.03, 0.1)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinematics.scene import Label
+from kinematics.scene.label import Label
 from trees.beliefs.scene.called import CalledBy, called_by, can_be_told
 
 SOUP = Label("can", "red", ("tomato soup",), ("food", "groceries"))

@@ -2,7 +2,7 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.recognition import nearest_sighting
 from trees.port_values import Target

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import lowest_point_m, support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.scene_update import kind_of, updated_scene

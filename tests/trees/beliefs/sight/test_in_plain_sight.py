@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.sight.in_plain_sight import in_plain_sight
 from trees.beliefs.sight.sight import Glimpse, in_view
 

@@ -3,7 +3,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.sight.sight import Glimpse
 from trees.beliefs.sight.sight_of_tops import SightOfTops, is_over
 

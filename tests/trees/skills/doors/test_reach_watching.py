@@ -6,8 +6,8 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
 from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.planning_scene import SceneObject
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.handles import HandleTarget

@@ -6,7 +6,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.geometry.poses import rotation_z, transform, translation
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.scenes.articulated import HANDLE, furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene

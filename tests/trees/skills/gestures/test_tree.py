@@ -2,7 +2,8 @@
 
 import pytest
 
-from kinematics.requests import NoPlan, PointRequest, RaiseHandRequest
+from kinematics.requests.gesture import PointRequest, RaiseHandRequest
+from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import bowl, cup, person, table
 from tests.trees.household_stage import ANA, BLUE_CUP, RED_CUP, asked, run, said
 from trees.failures import FailureKind

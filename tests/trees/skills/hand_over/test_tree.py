@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinematics.requests import OfferRequest
+from kinematics.requests.gesture import OfferRequest
 from robots.fake.fake_world import cup, person, table
 from tests.trees.household_stage import ANA, RED_CUP, asked, run
 from trees.failures import Reason

@@ -3,8 +3,9 @@
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import CheckRequest, RetreatRequest
-from kinematics.scene import PlanningScene
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.move import RetreatRequest
+from kinematics.scene.planning_scene import PlanningScene
 from robots.fake.fake_world import cup, table
 from trees import readiness
 from trees.build import build_tree

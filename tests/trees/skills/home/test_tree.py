@@ -3,8 +3,9 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.requests import MoveRequest, NoPlan
-from kinematics.scene import SceneObject
+from kinematics.requests.move import MoveRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import SceneObject
 from trees.failures import FailureKind
 from trees.tasks import GoHomeTask
 

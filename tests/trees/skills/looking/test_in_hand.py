@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.skills.looking.folded_look import not_in_hand
 

@@ -2,8 +2,9 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
-from kinematics.motion import Finding, FindingKind, Unsafe
-from kinematics.requests import MoveRequest, NoPlan
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
+from kinematics.requests.move import MoveRequest
+from kinematics.requests.step import NoPlan
 from trees.beliefs.sight.sight import in_view, off_axis_rad
 from trees.failures import FailureKind
 from trees.policy import Gaze

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from robots.interface.gripper_reading import GripperReading
 from trees.failures import FailureKind
 from trees.skills.pick.grip import grip_failure

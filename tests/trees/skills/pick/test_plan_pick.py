@@ -1,7 +1,7 @@
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import NoPlan
+from kinematics.requests.step import NoPlan
 from trees.failures import FailureKind
 from trees.skills.pick.plan_pick import PlanPick, hands_to_try
 from trees.tasks import ObjectDescription, PickTask

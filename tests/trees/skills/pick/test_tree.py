@@ -7,8 +7,10 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.motion import Finding, FindingKind, Unsafe
-from kinematics.requests import CheckRequest, NoPlan, PickRequest
+from kinematics.motion.verdict import Finding, FindingKind, Unsafe
+from kinematics.requests.check import CheckRequest
+from kinematics.requests.pick import PickRequest
+from kinematics.requests.step import NoPlan
 from robots.fake.fake_world import cup, table
 from robots.models.description import load_robot
 from trees.events import NodeChanged

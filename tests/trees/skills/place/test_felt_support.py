@@ -2,7 +2,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
 from trees.skills.place.felt_support import lowered_supports
 

@@ -7,7 +7,8 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.requests import PlaceRequest, RetreatRequest
+from kinematics.requests.move import RetreatRequest
+from kinematics.requests.place import PlaceRequest
 from kinematics.scene.support_of import top_m
 from robots.fake.fake_world import bowl, cup, person, table
 from robots.perception.truth_view import TrueObject

@@ -9,8 +9,9 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Cylinder
-from kinematics.requests import NoPlan, PlaceRequest
-from kinematics.scene import SceneObject
+from kinematics.requests.place import PlaceRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import SceneObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinematics.requests import PickRequest
+from kinematics.requests.pick import PickRequest
 from robots.fake.fake_world import bowl, cup, table
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened

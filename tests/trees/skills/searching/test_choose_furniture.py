@@ -4,7 +4,7 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.skills.searching.choose_furniture import ChooseFurniture
 from trees.tasks import ObjectDescription, WalkToTask
 

@@ -7,7 +7,7 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from trees.readings.odometry import feet_pose
 from trees.skills.searching.choose_outlook import ChooseOutlook
 

@@ -4,7 +4,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.geometry.poses import translation
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, person, table
 from trees.skills.searching.recall_place import RecallPlace
 from trees.tasks import ObjectDescription, WalkToTask

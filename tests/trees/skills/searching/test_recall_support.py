@@ -6,7 +6,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.geometry import poses
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, table
 from trees.skills.searching.recall_support import RecallSupport
 from trees.tasks import FindTask, ObjectDescription

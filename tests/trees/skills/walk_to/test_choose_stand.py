@@ -6,8 +6,9 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
-from kinematics.requests import NoPlan, PickRequest
-from kinematics.scene import SceneObject
+from kinematics.requests.pick import PickRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, table
 from trees.beliefs.grounding.destination import Place
 from trees.skills.walk_to.choose_stand import ChooseStand

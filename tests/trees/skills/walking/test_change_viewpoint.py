@@ -8,7 +8,7 @@ from py_trees.common import Status
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import FailureKind
 from trees.skills.walking.change_viewpoint import ChangeViewpoint

@@ -7,7 +7,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.stance import stance_at
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.path_planning import clearance_m, footprints
 from robots.models.description import load_description
 from trees.beliefs.grounding.destination import Place

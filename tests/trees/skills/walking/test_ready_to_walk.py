@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
-from kinematics.requests import NoPlan
+from kinematics.requests.step import NoPlan
 from trees.skills.walking.draw_arms_in import DrawArmsIn
 from trees.skills.walking.empty_arms import arms_are_tucked
 from trees.skills.walking.ready_to_walk import ReadyToWalk

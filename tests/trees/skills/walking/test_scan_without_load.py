@@ -5,7 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
-from kinematics.scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.skills.walking.scan_without_load import without_held
 
 

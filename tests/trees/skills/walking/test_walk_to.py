@@ -9,7 +9,7 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
-from kinematics.scene import SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.walking.pattern.steering import StretchSteering
 from robots.control.motion_handle import MotionHandle
 from robots.fake.fake_sensing import FakeRangeSensor

@@ -44,7 +44,7 @@ class WholeBody:
     """
 
     def __init__(self, robot: Any, joints: Sequence[str], stance: Any) -> None:
-        from kinematics.model import StandingRobot
+        from kinematics.model.standing_robot import StandingRobot
         from kinematics.standing.free_coordinates import FreeCoordinates
         from kinematics.standing.leg_ik import LegIk
 

@@ -34,8 +34,9 @@ class Body:
     def load(self, question: Document) -> Document:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
-        from kinematics.model import RobotModel, SupportPolygon
+        from kinematics.model.robot_model import RobotModel
         from kinematics.model.stance import stance_at
+        from kinematics.model.support_polygon import SupportPolygon
 
         ou.setLogLevel(ou.LogLevel.LOG_ERROR)
         ou.RNG.setSeed(1)

@@ -81,8 +81,10 @@ class Body:
     def load(self, question: Document) -> Document:
         """Read the robot from the product's own values."""
         sys.path.insert(0, question["root"])
-        from kinematics.model import RobotModel, StandingRobot, SupportPolygon
+        from kinematics.model.robot_model import RobotModel
         from kinematics.model.stance import stance_at
+        from kinematics.model.standing_robot import StandingRobot
+        from kinematics.model.support_polygon import SupportPolygon
         from kinematics.standing.free_coordinates import FreeCoordinates
         from kinematics.standing.leg_ik import LegIk
 

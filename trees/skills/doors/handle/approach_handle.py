@@ -6,7 +6,7 @@ import math
 
 from py_trees.common import Status
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from kinematics.scene.opening_path import DrawerLine
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionHandle

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from kinematics.requests import Grasp
+from kinematics.requests.grasp import Grasp
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.openings.handles import HandleTarget

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed
-from kinematics.requests import Grasp
-from kinematics.scene import PlanningScene
+from kinematics.requests.grasp import Grasp
 from kinematics.scene.concessions import Concession, ConcessionReason, touching, with_touching
 from kinematics.scene.opening_path import OpeningPath
+from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import HandleTarget
 from trees.toolbox import Toolbox

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.requests import Grasp, RetreatRequest
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.move import RetreatRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import HandleTarget
 from trees.failures import Failure
