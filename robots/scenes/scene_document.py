@@ -16,7 +16,7 @@ from robots.scenes.scene_description import (
     Region,
     RobotStart,
 )
-from robots.scenes.scene_words import CYLINDER_KINDS
+from robots.scenes.scene_words import CYLINDER_KINDS, OBJECT_KINDS
 from robots.scenes.usual_properties import USUAL_FRICTION
 from robots.strict_table import (
     TAG,
@@ -143,7 +143,7 @@ class _ObjectTable(StrictTable):
     """``[[object]]``: what objects of every kind have."""
 
     like: ClassVar[str]
-    """The usual kind that has its shape and, by its size, its weight."""
+    """The usual kind that has its shape."""
 
     name: Text
     kind: Text
@@ -157,6 +157,11 @@ class _ObjectTable(StrictTable):
     board: Any = None
     position_m: Annotated[tuple[FiniteFloat, ...] | None, BeforeValidator(_position)] = None
     yaw_rad: FiniteFloat = 0.0
+
+    @property
+    def weighs_as(self) -> str:
+        """The usual kind that weighs as much for its size: its own, else the one that has its shape."""
+        return self.kind if self.kind in OBJECT_KINDS and self.said_shape is None else self.like
 
 
 class _RoundTable(_ObjectTable):

@@ -132,7 +132,7 @@ def _near_scene(stem: str) -> str:
 def _item(table: ObjectTable, pieces: tuple[Furniture, ...], source: str, index: int) -> SceneItem:
     shape = table.shape()
     wall_m = table.wall_m if isinstance(table, BowlTable | BoxTable) else None
-    usual_kg = usual_mass_kg(table.like, shape, wall_m) if table.mass_kg is None else table.mass_kg
+    usual_kg = usual_mass_kg(table.weighs_as, shape, wall_m) if table.mass_kg is None else table.mass_kg
 
     def fail(key: str, reason: str) -> SceneError:
         return SceneError(source, f"object[{index}].{key}", reason)

@@ -7,6 +7,7 @@ from robots.scenes.scene_file import known_scenes, load_scene, read_scene
 from robots.scenes.scene_words import CYLINDER_KINDS, HOLLOW_KINDS, OBJECT_KINDS
 from robots.scenes.usual_properties import HEAVIEST_KG, LIGHTEST_KG, USUAL_FRICTION, usual_mass_kg
 
+IT = '[[object]]\nname = "it"\nposition_m = [1.0, 0.0, 0.05]\n'
 TABLE = """
 [[furniture]]
 name = "table"
@@ -53,3 +54,16 @@ def test_no_mass_is_absurd():
     assert usual_mass_kg("ball", Ball(0.002)) == LIGHTEST_KG
     assert usual_mass_kg("ball", Ball(1e200)) == HEAVIEST_KG
     assert usual_mass_kg("box", Box((-1.0, 1.0, 1.0)), 0.5) == LIGHTEST_KG
+
+
+@pytest.mark.parametrize("kind", ["cup", "bottle", "can", "bowl"])
+def test_what_a_file_does_not_say_weighs_as_its_own_kind_does(kind):
+    (item,) = read_scene(f'{IT}kind = "{kind}"\nradius_m = 0.04\nheight_m = 0.1', "a.toml", "a").objects
+
+    assert item.mass_kg == usual_mass_kg(kind, item.shape)
+
+
+def test_a_kind_of_ones_own_weighs_as_what_it_is_shaped_like():
+    (item,) = read_scene(f'{IT}kind = "sponge"\nsize_m = [0.1, 0.06, 0.1]', "a.toml", "a").objects
+
+    assert item.mass_kg == usual_mass_kg("box", item.shape)
