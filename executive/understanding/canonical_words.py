@@ -11,7 +11,7 @@ from typing import Any
 
 from executive.config import cache_directory
 from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
-from executive.language.noun_phrases.features import COUNTED_FROM
+from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.place_words import place_words

@@ -9,23 +9,23 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory, config_files
-from executive.language.chart import Chart, TooTangledError
+from executive.language.chart.chart import Chart, TooTangledError
+from executive.language.chart.grammar import Rule, load_rules
+from executive.language.chart.meanings import MEANINGS as SENTENCES
+from executive.language.chart.outcomes import Outcome, explains_best, outcomes_of
+from executive.language.commands.selection import MEANINGS as SELECTIONS
+from executive.language.commands.selection import Selection, description_of
 from executive.language.explain.missing import what_is_missing
 from executive.language.explain.refusals import EXAMPLES, Explainer, printable
-from executive.language.grammar import Rule, load_rules
-from executive.language.meanings import MEANINGS as SENTENCES
-from executive.language.outcomes import Outcome, explains_best, outcomes_of
-from executive.language.phrases import Nominal, Trouble
-from executive.language.selection import MEANINGS as SELECTIONS
-from executive.language.selection import Selection, description_of
-from executive.language.words.lattice import Lattice
-from executive.language.words.piece import Piece
-from executive.language.words.tokens import (
+from executive.language.phrases.values import Nominal, Trouble
+from executive.language.text.lattice import Lattice
+from executive.language.text.piece import Piece
+from executive.language.text.tokens import (
     MalformedTextError,
     normalise,
     pieces_of,
 )
-from executive.language.words.unlisted_names import looks_like_a_name
+from executive.language.text.unlisted_names import looks_like_a_name
 from executive.meaning import Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.place_words import place_words

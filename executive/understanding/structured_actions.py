@@ -23,7 +23,7 @@ from pydantic import (
     model_validator,
 )
 
-from executive.language.words.tokens import invisible_in
+from executive.language.text.tokens import invisible_in
 from executive.meaning import Command, StopCommand
 from trees.registry import skills
 from trees.tasks import ObjectDescription, ObjectOf, Relation, RelationKind, Task

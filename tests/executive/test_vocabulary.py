@@ -7,7 +7,7 @@ import pytest
 
 import executive.vocabulary
 from executive.errors import VocabularyError
-from executive.language.grammar import grammar_text, terminals_of
+from executive.language.chart.grammar import grammar_text, terminals_of
 from executive.understanding.command_parser import parser_with
 from executive.vocabulary import load_vocabulary
 from executive.vocabulary.inflection import gerund, participle, plain_forms, plural

@@ -11,8 +11,8 @@ from executive.language.clauses.neighbours import WITH_A_HAND
 from executive.language.clauses.scopes import Separator
 from executive.language.commands.brief_tasks import takes_a_moment
 from executive.language.commands.placing import MEANINGS as PLACING
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
 
 class _Nothing:

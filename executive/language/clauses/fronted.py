@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.language.noun_phrases.arranging import Arranged, arranged, guarded
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Bundle, Clause, Item, Nominal, Trouble, Where
+from executive.language.phrases.arranging import Arranged, arranged, guarded
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Bundle, Clause, Item, Nominal, Trouble, Where
 
 
 def fronted(parts: Parts) -> Clause | Trouble | None:

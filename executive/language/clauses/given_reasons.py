@@ -14,9 +14,9 @@ from typing import Any
 from executive.language.clauses.scopes import Further, Group, Separator
 from executive.language.clauses.statements import is_statement
 from executive.language.commands.speech import UNQUOTED
-from executive.language.noun_phrases.handled_thing import ASKER
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Meaning, Nominal, Trouble
+from executive.language.phrases.handled_thing import ASKER
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Nominal, Trouble
 
 _OPPOSITES = {"open": "close", "closed": "open"}
 """What is done to something because it is open, or closed."""

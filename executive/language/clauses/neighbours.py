@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 
 from executive.language.clauses.scopes import Further, Separator
-from executive.language.phrases import Clause, Nominal, Trouble
+from executive.language.phrases.values import Clause, Nominal, Trouble
 
 _IF = re.compile(r"(?:and |then |please |so )*if you can \w")
 """How a courtesy begins that is a condition of what follows: "if you can find it, bring it to me"."""

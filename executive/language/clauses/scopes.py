@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Literal
 
-from executive.language.phrases import Clause, Trouble
-from executive.language.words.word import Word
+from executive.language.phrases.values import Clause, Trouble
+from executive.language.text.word import Word
 
 
 class Separator(Enum):

@@ -12,8 +12,8 @@ from executive.language.clauses.given_reasons import are_reasons_fit, doubts_of_
 from executive.language.clauses.neighbours import is_endless, runs_together, stops, unclear_among
 from executive.language.clauses.scopes import UNCLEAR_ORDER, Further, Group, Separator, in_order, separator_of
 from executive.language.clauses.statements import is_statement
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Meaning, Nominal, Trouble
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Nominal, Trouble
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,10 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.placing import one_at_a_time
-from executive.language.noun_phrases.arranging import arranged, guarded, trouble, unfit
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Item, Meaning, Mention, Nominal, Where
-from executive.language.words.word import Word
+from executive.language.phrases.arranging import arranged, guarded, trouble, unfit
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Item, Meaning, Mention, Nominal, Where
+from executive.language.text.word import Word
 
 _EXISTS = frozenset({"thing", "container", "door"})
 """Sorts of what a statement names for a task: "there are two doors, close the left one"."""

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.going import target
-from executive.language.noun_phrases.arranging import (
+from executive.language.phrases.arranging import (
     TroubleError,
     arranged,
     clause,
@@ -17,10 +17,10 @@ from executive.language.noun_phrases.arranging import (
     trouble,
     unfit,
 )
-from executive.language.noun_phrases.features import SUPERLATIVES
-from executive.language.noun_phrases.looked_for import looked_for
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import (
+from executive.language.phrases.features import SUPERLATIVES
+from executive.language.phrases.looked_for import looked_for
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import (
     Bundle,
     Clause,
     Draft,
@@ -34,7 +34,7 @@ from executive.language.phrases import (
     relation_kind,
     wears,
 )
-from executive.language.words.word import Word
+from executive.language.text.word import Word
 from executive.vocabulary.inflection import plural
 
 _BESIDE = ("RELATION", "NEXT_TO")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from executive.language.noun_phrases.arranging import ME
-from executive.language.phrases import Clause, Draft
+from executive.language.phrases.arranging import ME
+from executive.language.phrases.values import Clause, Draft
 
 _TAKES_A_MOMENT = frozenset({"pick", "hand_over", "look_at", "point_at", "find", "count", "describe"})
 

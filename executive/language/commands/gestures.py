@@ -7,10 +7,21 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.going import target
-from executive.language.noun_phrases.arranging import clause, guarded, trouble, unfit
-from executive.language.noun_phrases.handled_thing import IT
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Bundle, Clause, Hand, Item, Items, Meaning, Nominal, Sort, Where, draft
+from executive.language.phrases.arranging import clause, guarded, trouble, unfit
+from executive.language.phrases.handled_thing import IT
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import (
+    Bundle,
+    Clause,
+    Hand,
+    Item,
+    Items,
+    Meaning,
+    Nominal,
+    Sort,
+    Where,
+    draft,
+)
 from executive.vocabulary.inflection import plural
 
 _AIMS = frozenset({"point", "pointing", "pointed"})

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.limits import MAX_DURATION_S, ExceededError, bounded, in_words
-from executive.language.noun_phrases.arranging import (
+from executive.language.phrases.arranging import (
     ME,
     TroubleError,
     arranged,
@@ -19,14 +19,14 @@ from executive.language.noun_phrases.arranging import (
     trouble,
     unfit,
 )
-from executive.language.noun_phrases.lists import (
+from executive.language.phrases.lists import (
     has_company,
     named_together,
     said_again,
     spoken,
 )
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import (
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import (
     Clause,
     Item,
     Meaning,

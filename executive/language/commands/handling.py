@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.commands.placing import put_draft
-from executive.language.noun_phrases.arranging import (
+from executive.language.phrases.arranging import (
     ME,
     Arranged,
     TroubleError,
@@ -19,7 +19,7 @@ from executive.language.noun_phrases.arranging import (
     trouble,
     unfit,
 )
-from executive.language.noun_phrases.handled_thing import (
+from executive.language.phrases.handled_thing import (
     ASKER,
     BIN,
     IT,
@@ -33,9 +33,9 @@ from executive.language.noun_phrases.handled_thing import (
     thing,
     with_it,
 )
-from executive.language.noun_phrases.lists import spoken
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import (
+from executive.language.phrases.lists import spoken
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import (
     Bundle,
     Clause,
     Items,
@@ -45,7 +45,7 @@ from executive.language.phrases import (
     Where,
     draft,
 )
-from executive.language.words.word import Word
+from executive.language.text.word import Word
 
 
 def picked(one: Arranged, *, doing: str = "picking up", fetched: bool = False) -> Any:

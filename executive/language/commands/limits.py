@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from executive.language.noun_phrases.arranging import TroubleError, trouble
-from executive.language.phrases import EXCEEDS, Measure, Trouble
+from executive.language.phrases.arranging import TroubleError, trouble
+from executive.language.phrases.values import EXCEEDS, Measure, Trouble
 
 MAX_LINEAR_M_S = 0.5
 MAX_ANGULAR_RAD_S = 1.0

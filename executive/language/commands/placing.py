@@ -7,12 +7,12 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.noun_phrases.arranging import Arranged, arranged, clause, guarded, trouble, unfit
-from executive.language.noun_phrases.handled_thing import BACK, BIN, count_of, thing, with_it
-from executive.language.noun_phrases.lists import another_of
-from executive.language.noun_phrases.opposite_sides import with_the_middle
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import (
+from executive.language.phrases.arranging import Arranged, arranged, clause, guarded, trouble, unfit
+from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing, with_it
+from executive.language.phrases.lists import another_of
+from executive.language.phrases.opposite_sides import with_the_middle
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import (
     HARMS,
     Bundle,
     Clause,
@@ -23,7 +23,7 @@ from executive.language.phrases import (
     Where,
     draft,
 )
-from executive.language.words.word import Word
+from executive.language.text.word import Word
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 

@@ -11,11 +11,11 @@ from dataclasses import fields
 from types import MappingProxyType
 
 from executive.language.commands.going import target
-from executive.language.noun_phrases.arranging import clause, guarded, trouble
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Draft, Item, Meaning, Nominal, draft
-from executive.language.resolving.task_types import task_type
-from executive.language.words.word import Word
+from executive.language.phrases.arranging import clause, guarded, trouble
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Draft, Item, Meaning, Nominal, draft
+from executive.language.resolve.task_types import task_type
+from executive.language.text.word import Word
 
 
 def _skilled(parts: Parts) -> Clause:

@@ -14,13 +14,13 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.noun_phrases.arranging import ME, TroubleError, clause, guarded, trouble, unfit
-from executive.language.noun_phrases.lists import Joined
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Meaning, Nominal, draft
-from executive.language.resolving.discourse import is_them
-from executive.language.words.free_text import TIME
-from executive.language.words.word import Word
+from executive.language.phrases.arranging import ME, TroubleError, clause, guarded, trouble, unfit
+from executive.language.phrases.lists import Joined
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Nominal, draft
+from executive.language.resolve.discourse import is_them
+from executive.language.text.free_text import TIME
+from executive.language.text.word import Word
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from executive.language.commands.going import TURN_RAD_S
-from executive.language.noun_phrases.arranging import clause, guarded, trouble, unfit
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Meaning, Measure, draft
+from executive.language.phrases.arranging import clause, guarded, trouble, unfit
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Measure, draft
 
 _TURNS = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
 

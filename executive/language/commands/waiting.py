@@ -8,9 +8,9 @@ from types import MappingProxyType
 
 from executive.language.commands.going import goal_of
 from executive.language.commands.limits import bounded
-from executive.language.noun_phrases.arranging import clause, guarded, trouble, unfit
-from executive.language.phrase_parts import Parts, words
-from executive.language.phrases import Clause, Meaning, Measure, Nominal, Relative, draft
+from executive.language.phrases.arranging import clause, guarded, trouble, unfit
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Measure, Nominal, Relative, draft
 
 MAX_WAIT_S = 3600.0
 """A robot that waits stands; beyond it the number is taken for a mistake."""

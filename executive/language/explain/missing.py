@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from executive.language.chart import Chart
+from executive.language.chart.chart import Chart
 from executive.language.explain.examples import is_verb
-from executive.language.phrases import Item, Items, Where
-from executive.language.words.lattice import Lattice
-from executive.language.words.word import Word
+from executive.language.phrases.values import Item, Items, Where
+from executive.language.text.lattice import Lattice
+from executive.language.text.word import Word
 from executive.meaning import Question
 
 MAX_WORDS = 30

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from functools import cache
 
-from executive.language.chart import Chart
+from executive.language.chart.chart import Chart
 from executive.language.explain.examples import EXAMPLES, nearest_example
 from executive.language.explain.typos import is_slip, meant_by
-from executive.language.words.lattice import Lattice
-from executive.language.words.word import Word
+from executive.language.text.lattice import Lattice
+from executive.language.text.word import Word
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from executive.language.chart import Chart, TooTangledError
-from executive.language.grammar import load_rules, rules_of, unknown_terminals
-from executive.language.meanings import MEANINGS
-from executive.language.words.lattice import Lattice
-from executive.language.words.tokens import pieces_of
+from executive.language.chart.chart import Chart, TooTangledError
+from executive.language.chart.grammar import load_rules, rules_of, unknown_terminals
+from executive.language.chart.meanings import MEANINGS
+from executive.language.text.lattice import Lattice
+from executive.language.text.tokens import pieces_of
 from executive.vocabulary import Vocabulary, WordClass, load_vocabulary
 
 

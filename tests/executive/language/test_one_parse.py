@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.language.words.lattice import Lattice
+from executive.language.text.lattice import Lattice
 from executive.understanding.command_parser import parse
 
 

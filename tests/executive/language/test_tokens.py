@@ -2,7 +2,7 @@
 
 import pytest
 
-from executive.language.words.tokens import MAX_LENGTH, MalformedTextError, normalise, pieces_of
+from executive.language.text.tokens import MAX_LENGTH, MalformedTextError, normalise, pieces_of
 
 
 def test_text_has_single_spaces_and_plain_quotes():

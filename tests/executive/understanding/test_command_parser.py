@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from executive.language.words.tokens import WRITTEN_OUT
+from executive.language.text.tokens import WRITTEN_OUT
 from executive.meaning import wording
 from executive.understanding.command_parser import EXAMPLES, parse
 from executive.vocabulary import load_vocabulary

@@ -1,0 +1,160 @@
+"""The grammar's productions, shared by prefix, as lark reads them from ``grammar.lark``."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import importlib.metadata
+import importlib.resources
+import json
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from kinematics.whole_file import read_whole, write_whole
+
+BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
+"""Terminals that are recognised by their form, not listed."""
+
+
+CLOSING = "rest"
+"""The rule for all clauses after the first, to the end of the sentence."""
+
+
+Production = tuple[str, tuple[str, ...], str]
+"""A rule's name, its parts, and the name of its meaning."""
+
+
+@dataclass(slots=True)
+class Node:
+    """A place within the productions of one rule.
+
+    Attributes:
+        terminals: What follows after a word of a class.
+        rules: What follows after a part that another rule describes.
+        functions: Names of the meanings of the productions that end here.
+    """
+
+    terminals: dict[str, Node] = field(default_factory=dict)
+    rules: dict[str, Node] = field(default_factory=dict)
+    functions: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One rule of the grammar.
+
+    Attributes:
+        name: Its name.
+        first: Word classes that it can begin with.
+        root: Where its productions begin.
+        repeats: Whether it is a repetition, whose parts belong to the rule around it.
+        closes: Whether nothing follows it: what does not reach the end of the sentence is of no use.
+    """
+
+    name: str
+    first: frozenset[str]
+    root: Node
+    repeats: bool
+    closes: bool
+
+
+def load_rules(cache: Path | None = None) -> dict[str, Rule]:
+    """Read the grammar.
+
+    Args:
+        cache: A folder where lark's productions are kept from one process to the next: a command that
+            only parses would spend most of its time on them. None keeps nothing.
+    """
+    text = grammar_text()
+    if cache is None:
+        return rules_of(_compiled(text))
+    made_by = f"{importlib.metadata.version('lark')} {Path(__file__).read_text('utf-8')}"
+    digest = hashlib.sha256(f"{made_by}\0{text}".encode()).hexdigest()
+    kept = cache / f"grammar-{digest[:16]}.kept"
+    productions = _kept(kept)
+    if productions is None:
+        productions = list(_compiled(text))
+        _keep(kept, productions)
+    return rules_of(productions)
+
+
+def _kept(file: Path) -> list[Production] | None:
+    content = read_whole(file)
+    if content is None:
+        return None
+    return [(name, tuple(parts), function) for name, parts, function in json.loads(content)]
+
+
+def _keep(file: Path, productions: list[Production]) -> None:
+    """A folder that cannot be written is no reason to fail."""
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(file, json.dumps(productions).encode())
+
+
+def grammar_text() -> str:
+    """The grammar as it is written."""
+    return importlib.resources.files("executive.language.chart").joinpath("grammar.lark").read_text("utf-8")
+
+
+def terminals_of(text: str) -> set[str]:
+    """The word classes that a grammar names."""
+    return set(re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"//.*", "", text)))
+
+
+def _compiled(text: str) -> Iterable[Production]:
+    from lark import Lark
+
+    declared = "\n%declare " + " ".join(sorted(terminals_of(text))) + "\n"
+    compiled = Lark(text + declared, parser="earley", lexer="dynamic", start=["start", "selection"])
+    for rule in compiled.rules:
+        yield (
+            str(rule.origin.name),
+            tuple(str(part.name) for part in rule.expansion),
+            rule.alias or str(rule.origin.name),
+        )
+
+
+def rules_of(productions: Iterable[Production]) -> dict[str, Rule]:
+    """Share the beginnings of each rule's productions; repetitions are turned to the right.
+
+    Lark writes ``x*`` as ``y: x | y x``; a parser that goes from left to right needs ``y: x | x y``.
+    """
+    roots: dict[str, Node] = {}
+    begins: dict[str, set[str]] = {}
+    for name, parts, function in productions:
+        if parts[0] == name:
+            parts = (*parts[1:], name)
+        begins.setdefault(name, set()).add(parts[0])
+        node = roots.setdefault(name, Node())
+        for part in parts:
+            branch = node.terminals if part.isupper() else node.rules
+            node = branch.setdefault(part, Node())
+        if function not in node.functions:
+            node.functions.append(function)
+    rules = {}
+    for name, root in roots.items():
+        closes = name == CLOSING
+        rules[name] = Rule(name, _first(name, begins), root, closes or name.startswith("__"), closes)
+    return rules
+
+
+def _first(name: str, begins: dict[str, set[str]]) -> frozenset[str]:
+    seen: set[str] = set()
+    pending = [name]
+    terminals: set[str] = set()
+    while pending:
+        for part in begins[pending.pop()] - seen:
+            seen.add(part)
+            if part.isupper():
+                terminals.add(part)
+            else:
+                pending.append(part)
+    return frozenset(terminals)
+
+
+def unknown_terminals(known: Sequence[str]) -> set[str]:
+    """Word classes that the grammar names and nobody lists."""
+    return terminals_of(grammar_text()) - set(known) - BEYOND_VOCABULARY

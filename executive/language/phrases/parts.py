@@ -1,0 +1,21 @@
+"""What a rule of the grammar is given: the parts of a phrase, words and what they have come to mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from executive.language.phrases.values import Nominal
+from executive.language.text.word import Word
+
+Parts = tuple[Any, ...]
+
+
+def words(parts: Iterable[Any], *classes: str) -> list[Word]:
+    """The words of some classes among the parts."""
+    return [part for part in parts if isinstance(part, Word) and part.word_class in classes]
+
+
+def nominal_of(parts: Parts) -> Nominal | None:
+    """The noun among the parts."""
+    return next((part for part in reversed(parts) if isinstance(part, Nominal)), None)
