@@ -23,6 +23,7 @@ from kinematics.model.robot_description import (
 )
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.interface.hardware import RobotData
+from robots.known import DESCRIPTION, known_robots, robot_folders
 from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
 from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
@@ -35,11 +36,9 @@ from robots.models.urdf import (
     read_urdf,
     with_fixed_joints,
 )
-from robots.outside import ROBOTS, outside_folders
 from robots.strict_table import read_table
 from robots.toml_text import TomlTextError, read_toml
 
-DESCRIPTION = "description.toml"
 DISABLED_COLLISIONS = "disabled_collisions.toml"
 """Pairs of links that are not judged, for robots without an SRDF; made by
 ``tools.robot_data.disabled_collisions``.
@@ -48,18 +47,6 @@ DISABLED_COLLISIONS = "disabled_collisions.toml"
 _GRIPPER_KIND = "gripper"
 """Joints of this kind are held open for planning."""
 _NO_JOINT = "(?!)"
-
-
-def known_robots() -> list[str]:
-    """Names of the robots that have a folder of data, here or in another package."""
-    return sorted(_folders())
-
-
-def _folders() -> Mapping[str, Traversable]:
-    """The folder of each robot; of equal names the one here."""
-    here = {item.name: item for item in importlib.resources.files("robots.models").iterdir()}
-    folders = {**outside_folders(ROBOTS).folders, **here}
-    return {name: item for name, item in folders.items() if (item / DESCRIPTION).is_file()}
 
 
 def load_description(name: str) -> RobotDescription:
@@ -74,7 +61,7 @@ def load_robot(name: str) -> RobotData:
         UnknownRobotError: There is no robot of that name.
         DescriptionError: Its data contradict the URDF, or the URDF's package is not installed.
     """
-    folder = _folders().get(name)
+    folder = robot_folders().get(name)
     if folder is None:
         raise UnknownRobotError(name, known_robots())
 

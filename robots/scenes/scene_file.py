@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import difflib
-import importlib.resources
 from collections.abc import Callable
 from functools import partial
-from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +14,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.outside import SCENES, outside_files
+from robots.known import known_scenes, scene_files
 from robots.scenes import furniture
 from robots.scenes.furniture import board_tops_m
 from robots.scenes.scene_description import (
@@ -38,16 +36,6 @@ MOST_THINGS = 500
 """Furniture, objects, people and places: each is held against each of the others."""
 
 
-def known_scenes() -> list[str]:
-    """Names of the scenes that come with the product and with other packages."""
-    return sorted({*outside_files(SCENES), *_own_scenes()})
-
-
-def _own_scenes() -> list[str]:
-    names = (item.name for item in _scene_folder().iterdir())
-    return [name.removesuffix(".toml") for name in names if name.endswith(".toml")]
-
-
 def load_scene(name_or_path: str) -> SceneDescription:
     """Read a scene by its name, or from a file.
 
@@ -57,10 +45,9 @@ def load_scene(name_or_path: str) -> SceneDescription:
     Raises:
         SceneError: There is no such scene, or it cannot be a world: file, key and reason.
     """
-    if name_or_path in known_scenes():
-        own = name_or_path in _own_scenes()
-        file = _scene_folder() / f"{name_or_path}.toml" if own else outside_files(SCENES)[name_or_path]
-        text = file.read_text("utf-8")
+    known = scene_files()
+    if name_or_path in known:
+        text = known[name_or_path].read_text("utf-8")
         return read_scene(text, f"{name_or_path}.toml", name_or_path)
     path = Path(name_or_path)
     is_path = name_or_path.endswith(".toml") or "/" in name_or_path or _is_file(path)
@@ -111,10 +98,6 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
     )
     validate(scene, source)
     return scene
-
-
-def _scene_folder() -> Traversable:
-    return importlib.resources.files("robots") / "scenes"
 
 
 def _is_file(path: Path) -> bool:

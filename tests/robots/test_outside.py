@@ -12,8 +12,9 @@ import robots
 from executive.vocabulary.outside import outside_words
 from robots import outside
 from robots.errors import SceneError, UnknownRobotError
-from robots.models.description import known_robots, load_description
-from robots.scenes.scene_file import known_scenes, load_scene
+from robots.known import known_robots, known_scenes
+from robots.models.description import load_description
+from robots.scenes.scene_file import load_scene
 
 MODELS, SCENES = (Path(robots.__file__).parent / name for name in ("models", "scenes"))
 

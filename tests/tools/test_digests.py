@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from robots.scenes.scene_file import known_scenes
+from robots.known import known_scenes
 from tools.evaluate.digests import RecordedRun, carried_out, differences, planned_runs
 
 

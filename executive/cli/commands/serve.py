@@ -78,8 +78,9 @@ def serve(
     from executive.runs.run_log import require_recordable
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
+    from robots.known import known_scenes
     from robots.models.description import load_robot_for_tasks
-    from robots.scenes.scene_file import known_scenes, load_scene
+    from robots.scenes.scene_file import load_scene
 
     del plain  # nothing is drawn here
     use_config(config)

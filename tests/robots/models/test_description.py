@@ -13,8 +13,9 @@ from kinematics.geometry import poses
 from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.known import known_robots
 from robots.models import description as reader
-from robots.models.description import known_robots, load_description, load_robot, load_robot_for_tasks
+from robots.models.description import load_description, load_robot, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
 
 ARM = """
@@ -142,7 +143,7 @@ def test_hands_that_cannot_grasp_are_told_with_their_reason():
 def changed(tmp_path, monkeypatch):
     """Loads TALOS with one line of its description written otherwise."""
     text = (importlib.resources.files("robots.models") / "talos" / "description.toml").read_text("utf-8")
-    monkeypatch.setattr(reader, "_folders", lambda: {"mine": tmp_path})
+    monkeypatch.setattr(reader, "robot_folders", lambda: {"mine": tmp_path})
 
     def load(line, instead):
         assert line in text
