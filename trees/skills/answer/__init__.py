@@ -17,10 +17,14 @@ class AnswerTask:
 
     Attributes:
         text: The sentence that it came from.
-        question: What is asked: time, day, date, tomorrow, day"""
+        question: What is asked: "time", "day", "date", "tomorrow", "day of the week", "day of the month",
+            "name", "team", "country", "affiliation" or "about yourself".
+        person: To whom, or None: to who speaks.
+    """
 
     text: str
-of
+    question: str
+    person: Destination | None = None
 
     action = "answer"
 
@@ -29,4 +33,4 @@ def _tree(_task: AnswerTask, toolbox: Toolbox) -> Behaviour:
     raise NotImplementedError
 
 
-SKILL = Skill(task=AnswerTask, tree=_tree, example="the"week, day)
+SKILL = Skill(task=AnswerTask, tree=_tree, example="tell me the time")
