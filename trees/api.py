@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from trees.events import Measured, Offered, Said
     from trees.failures import Failure, FailureKind, Number, Reason
     from trees.leaves.check_trajectory import CheckTrajectory
-    from trees.leaves.go_home import GoHome
+    from trees.leaves.go_home import GoHome, tidily
     from trees.leaves.stream_motion import StreamMotion
     from trees.leaves.wait import Hold
     from trees.nodes.alternatives import Alternatives
@@ -48,8 +48,7 @@ if TYPE_CHECKING:
     from trees.skills.looking.look_at import LookAt
     from trees.skills.looking.search_place import search_place
     from trees.skills.searching.look_elsewhere import found_by_turning, where_it_may_be
-    from trees.skills.talking.say import Say
-    from trees.skills.tidily import tidily
+    from trees.skills.talking.tree import Say
     from trees.skills.walking.ready_to_walk import ReadyToWalk
     from trees.skills.walking.walk_to import WalkTo
     from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation, Task, Thing
@@ -176,8 +175,8 @@ _FROM = MappingProxyType(
         "search_place": "trees.skills.looking.search_place",
         "found_by_turning": "trees.skills.searching.look_elsewhere",
         "where_it_may_be": "trees.skills.searching.look_elsewhere",
-        "Say": "trees.skills.talking.say",
-        "tidily": "trees.skills.tidily",
+        "Say": "trees.skills.talking.tree",
+        "tidily": "trees.leaves.go_home",
         "ReadyToWalk": "trees.skills.walking.ready_to_walk",
         "WalkTo": "trees.skills.walking.walk_to",
         "Count": "trees.tasks",

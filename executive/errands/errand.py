@@ -30,8 +30,8 @@ from executive.session.session import Session
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.trust import OnQuestion
 from executive.understanding.provenance import Provenance
+from trees.beliefs.grounding.destination import START
 from trees.beliefs.grounding.grounding import exactly
-from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
 from trees.failures import Failure, FailureKind, Reason
 from trees.tasks import (

@@ -14,9 +14,8 @@ from trees.beliefs.openings.drawer_inside import DrawerInside, inside_of_drawer
 from trees.beliefs.openings.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.held_object import HeldObject
-from trees.readings.around import base_pose, what_is_around
 from trees.readings.held import held_object
-from trees.readings.odometry import body_pose
+from trees.readings.odometry import base_pose, body_pose, what_is_around
 from trees.tasks import Bringing, ObjectDescription, ObjectOf, PlaceTask
 from trees.toolbox import Toolbox
 

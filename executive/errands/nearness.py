@@ -15,7 +15,7 @@ from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
-from trees.beliefs.scene.gap_to_furniture import gap_to_furniture_m
+from trees.beliefs.scene.furniture_pieces import gap_to_furniture_m
 from trees.tasks import MoveTask, ObjectDescription
 
 _AHEAD_M = (0.3, 0.65)

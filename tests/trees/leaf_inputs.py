@@ -25,11 +25,11 @@ from trees.skills.doors.handle.grasp_handle import GraspHandle
 from trees.skills.doors.handle.held_handle import HeldHandle
 from trees.skills.doors.handle.lead_handle import LeadHandle
 from trees.skills.doors.handle.touch_front import TouchFront
+from trees.skills.doors.handle_standing import WalkToHandle
 from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
-from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.gestures.turn_to import TurnTo
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom

@@ -10,7 +10,7 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
-from trees.readings.free_hand import free_hands
+from trees.readings.held import free_hands
 from trees.tasks import ObjectDescription, PickTask, PlaceTask
 
 

@@ -7,9 +7,16 @@ from collections.abc import Mapping, Sequence
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
-from trees.beliefs.grounding.destination import SLOTS, Place, aim_of, aims_at_person, resolve, slot_of
+from trees.beliefs.grounding.destination import (
+    SLOTS,
+    Place,
+    aim_of,
+    aims_at_person,
+    compares_people,
+    resolve,
+    slot_of,
+)
 from trees.beliefs.grounding.grounding import Found, Missing, exactly, ground
-from trees.beliefs.grounding.people import compares_people
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import looking_elsewhere_is_useless, no_pick_helps
@@ -23,7 +23,6 @@ from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.put_in.look_at_board import LookAtBoard
 from trees.skills.put_in.not_shut import NotShut
 from trees.skills.put_in.settings import PutInSettings
-from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
 

@@ -3,7 +3,7 @@ from py_trees.common import Status
 
 from trees.nodes.leaf import DONE
 from trees.skills.looking.hand_ways import UnseenPlaces
-from trees.skills.looking.unless_seen import UnlessSeen
+from trees.skills.looking.look_along_way import UnlessSeen
 
 
 def test_where_a_place_was_not_looked_at_it_is_looked_at(stage, probe_leaf):

@@ -4,7 +4,7 @@ import pytest
 from kinematics.requests.grasp import Grasp
 from robots.interface.gripper_reading import GripperReading
 from trees.failures import FailureKind
-from trees.skills.pick.grip import grip_failure
+from trees.skills.pick.verify_hold import grip_failure
 
 GRASP = Grasp("left", "side", np.eye(4), 0.1, diameter_m=0.06)
 

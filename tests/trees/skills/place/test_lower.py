@@ -4,7 +4,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
-from trees.skills.place.felt_support import lowered_supports
+from trees.skills.place.lower import lowered_supports
 
 TABLE = SceneObject("table", Box((0.6, 1.2, 0.04)), poses.translation(0.6, 0.0, 0.88), 0.015, movable=False)
 BOWL = SceneObject("bowl", Cylinder(0.1, 0.07), poses.translation(0.6, 0.0, 0.935), 0.01)

@@ -6,7 +6,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from trees.skills.walking.scan_without_load import without_held
+from trees.skills.walking.walking_leaf import without_held
 
 
 @pytest.mark.requirement("S2")

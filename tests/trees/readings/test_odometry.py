@@ -14,7 +14,7 @@ from trees.beliefs.grounding.grounding import Ambiguous, Found, ground
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.build import build_tree
 from trees.policy import Gaze
-from trees.readings.around import base_pose, what_is_around
+from trees.readings.odometry import base_pose, what_is_around
 from trees.skills.looking.detect import Detect
 from trees.skills.looking.look_at import LookAt
 from trees.skills.telling.tell import TellCount

@@ -3,7 +3,7 @@
 import pytest
 
 from kinematics.scene.label import Label
-from trees.beliefs.scene.called import CalledBy, called_by, can_be_told
+from trees.beliefs.scene.labels import CalledBy, called_by, can_be_told
 
 SOUP = Label("can", "red", ("tomato soup",), ("food", "groceries"))
 
