@@ -17,7 +17,7 @@ from trees.beliefs.grounding.report_words import numbered
 from trees.beliefs.openings.handles import BODY_OF, HandleTarget
 from trees.events import LeafFailed, NodeChanged
 from trees.failures import Failure, FailureKind, Number
-from trees.nodes.failure_chain import failure_of, place_of
+from trees.nodes.judgements import failure_of, place_of
 from trees.nodes.leaf import Leaf, from_exception
 from trees.nodes.retry import Retry
 from trees.nodes.snapshot_of import snapshot_of, status_word

@@ -15,7 +15,7 @@ from py_trees.ports import NoDataAvailable, PortInformation
 from trees.events import LeafFailed, Measured, NotSo
 from trees.failures import Failure, FailureKind, Number
 from trees.nodes.contract import Contract
-from trees.nodes.failure_chain import place_of
+from trees.nodes.judgements import place_of
 from trees.nodes.leaf_settings import settings_of
 from trees.nodes.ports import WithPorts
 from trees.toolbox import Toolbox

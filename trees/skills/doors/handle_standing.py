@@ -1,4 +1,4 @@
-"""Where to stand to open or close something, and the walk there: docs/notes/doors.md tells how the numbers were found."""
+"""Where to stand to open or close something, and the walk there; the numbers are from docs/notes/doors.md."""
 
 from __future__ import annotations
 
