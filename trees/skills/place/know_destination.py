@@ -27,10 +27,12 @@ from trees.nodes.contract import Contract
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
+from trees.registry import skill_of
+from trees.skill import Before
 from trees.skills.looking.look_around import LookAround
 from trees.skills.looking.look_at import LookAt
 from trees.skills.place.placement import not_taken, why_not_there
-from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, PlaceTask, PutInTask
+from trees.tasks import WHERE_IT_WAS, Bringing, Destination, ObjectDescription, ObjectOf, PlaceTask
 from trees.toolbox import Toolbox
 
 
@@ -62,16 +64,14 @@ class KnowDestination(LookAround):
         around = self._besides_the_object(task)
         if around is None:
             return DONE
-        match task:
-            case PlaceTask():
-                failure = self._not_there(task, around)
-            case PutInTask():
-                failure = self._not_into(task, around)
-            case _:
-                failure = None
+        skill, failure = skill_of(task), None
+        if skill is not None and Before.AT_SURFACE in skill.before:
+            failure = self._not_there(task, around)
+        elif skill is not None and Before.GOAL_OPEN in skill.before:
+            failure = self._not_into(skill.goal(task), around)
         return DONE if failure is None else failure
 
-    def _besides_the_object(self, task: PlaceTask | PutInTask) -> Surroundings | None:
+    def _besides_the_object(self, task: Bringing) -> Surroundings | None:
         """What else there is than what is to be moved; None where it is not known which one that is."""
         around = self.around()
         if task.count != 1 or not isinstance(task.object, ObjectDescription):
@@ -97,8 +97,8 @@ class KnowDestination(LookAround):
         leaves = None if moved is None else support_of(moved, scene, gap_m)
         return why_not_there(task.on, task.to, scene, around, gap_m, None if leaves is None else leaves.name)
 
-    def _not_into(self, task: PutInTask, around: Surroundings) -> Failure | None:
-        to = ObjectDescription(task.to) if isinstance(task.to, str) else task.to
+    def _not_into(self, goal: Destination | None, around: Surroundings) -> Failure | None:
+        to = ObjectDescription(goal) if isinstance(goal, str) else goal
         if not isinstance(to, ObjectDescription) or to.kind in MEANT_BY:
             return None
         match ground(to, around):

@@ -20,7 +20,7 @@ from trees.nodes.leaf import rewired
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import get_in_hand, other_hand_is_no_help, swap_hands
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
@@ -34,6 +34,7 @@ from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.see_held import SeeHeld
 from trees.skills.place.settings import PlaceSettings
+from trees.skills.place.swap_hands import other_hand_is_no_help, swap_hands
 from trees.skills.place.verify_placed import VerifyPlaced
 from trees.toolbox import Toolbox
 

@@ -12,10 +12,12 @@ from trees.nodes.contract import Contract
 from trees.nodes.judgements import defect
 from trees.nodes.leaf import DONE, Leaf, rewired
 from trees.nodes.ports import ports
+from trees.registry import task_that
+from trees.skill import After
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.walk_to.tree import find_place, walks
 from trees.skills.walking.ready_to_walk import ReadyToWalk
-from trees.tasks import ObjectDescription, PutInTask, WalkToTask
+from trees.tasks import ObjectDescription, PutInTask
 from trees.toolbox import Toolbox
 
 
@@ -40,7 +42,7 @@ class AskForWalk(Leaf):
     """Write the task of walking to what the object is to be put into."""
 
     INPUT_PORTS = ports(task=PutInTask)
-    OUTPUT_PORTS = ports(walk_task=WalkToTask)
+    OUTPUT_PORTS = ports(walk_task=object)
     CONTRACT = Contract(
         precondition="none",
         postcondition="the walk is described",
@@ -53,7 +55,7 @@ class AskForWalk(Leaf):
         if not isinstance(task.to, str | ObjectDescription):
             return Failure.postcondition("it was not said what it is to be put into")
         noun = task.to.kind if isinstance(task.to, ObjectDescription) else task.to
-        self._set_output("walk_task", WalkToTask(task.text, noun or task.to))
+        self._set_output("walk_task", task_that(After.AT_GOAL, task.text, to=noun or task.to))
         return DONE
 
 
