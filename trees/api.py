@@ -43,7 +43,8 @@ if TYPE_CHECKING:
     from trees.nodes.retry import Retry
     from trees.policy import Gaze
     from trees.port_values import Target
-    from trees.skill import Before, Evidence, Need, Skill, as_answered, as_asked
+    from trees.skill import After, Before, Evidence, Need, Skill, as_answered, as_asked
+    from trees.skills.carrying.get_in_hand import get_in_hand
     from trees.skills.looking.locate import Locate
     from trees.skills.looking.look_at import LookAt
     from trees.skills.looking.search_place import search_place
@@ -57,6 +58,7 @@ if TYPE_CHECKING:
 __all__ = [
     "DONE",
     "RUNNING",
+    "After",
     "Alternatives",
     "Before",
     "Behaviour",
@@ -112,6 +114,7 @@ __all__ = [
     "as_asked",
     "defect",
     "found_by_turning",
+    "get_in_hand",
     "judgement",
     "looking_elsewhere_is_useless",
     "optional",
@@ -164,12 +167,14 @@ _FROM = MappingProxyType(
         "Retry": "trees.nodes.retry",
         "Gaze": "trees.policy",
         "Target": "trees.port_values",
+        "After": "trees.skill",
         "Before": "trees.skill",
         "Evidence": "trees.skill",
         "Need": "trees.skill",
         "Skill": "trees.skill",
         "as_answered": "trees.skill",
         "as_asked": "trees.skill",
+        "get_in_hand": "trees.skills.carrying.get_in_hand",
         "Locate": "trees.skills.looking.locate",
         "LookAt": "trees.skills.looking.look_at",
         "search_place": "trees.skills.looking.search_place",
