@@ -47,9 +47,10 @@ def planners(model: RobotModel) -> Planners:
 
 
 class MotionPlanner:
-    """Plans for one robot; keeps nothing of a request but what its hands carry in it.
+    """Answers every request for a plan of one robot.
 
-    What is weighed and held is part of the robot: its balance is planned with it.
+    What a request says that the hands carry, and how heavy that is, counts as part of the robot when balance
+    is planned; nothing else of a request is kept for the next.
     """
 
     def __init__(self, model: RobotModel) -> None:

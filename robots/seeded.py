@@ -15,7 +15,7 @@ class Seeded(NamedTuple):
     trees: np.random.Generator
     places: np.random.Generator
 
-
-def seeded(seed: int) -> Seeded:
-    """The generators of one seed: the same wherever the parts run."""
-    return Seeded(*map(np.random.default_rng, np.random.SeedSequence(seed).spawn(len(Seeded._fields))))
+    @classmethod
+    def by(cls, seed: int) -> Seeded:
+        """The generators of one seed: the same wherever the parts run."""
+        return cls(*map(np.random.default_rng, np.random.SeedSequence(seed).spawn(len(cls._fields))))

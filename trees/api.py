@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from trees.events import Measured, Offered, Said
     from trees.failures import Failure, FailureKind, Number, Reason
     from trees.leaves.check_trajectory import CheckTrajectory
-    from trees.leaves.go_home import GoHome
+    from trees.leaves.go_home import GoHome, tidily
     from trees.leaves.stream_motion import StreamMotion
     from trees.leaves.wait import Hold
     from trees.nodes.alternatives import Alternatives
@@ -43,13 +43,13 @@ if TYPE_CHECKING:
     from trees.nodes.retry import Retry
     from trees.policy import Gaze
     from trees.port_values import Target
-    from trees.skill import Before, Evidence, Need, Skill, as_answered, as_asked
+    from trees.skill import After, Before, Evidence, Need, Skill, as_answered, as_asked
+    from trees.skills.carrying.get_in_hand import get_in_hand
     from trees.skills.looking.locate import Locate
     from trees.skills.looking.look_at import LookAt
     from trees.skills.looking.search_place import search_place
     from trees.skills.searching.look_elsewhere import found_by_turning, where_it_may_be
-    from trees.skills.talking.say import Say
-    from trees.skills.tidily import tidily
+    from trees.skills.talking.tree import Say
     from trees.skills.walking.ready_to_walk import ReadyToWalk
     from trees.skills.walking.walk_to import WalkTo
     from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation, Task, Thing
@@ -58,6 +58,7 @@ if TYPE_CHECKING:
 __all__ = [
     "DONE",
     "RUNNING",
+    "After",
     "Alternatives",
     "Before",
     "Behaviour",
@@ -113,6 +114,7 @@ __all__ = [
     "as_asked",
     "defect",
     "found_by_turning",
+    "get_in_hand",
     "judgement",
     "looking_elsewhere_is_useless",
     "optional",
@@ -165,19 +167,21 @@ _FROM = MappingProxyType(
         "Retry": "trees.nodes.retry",
         "Gaze": "trees.policy",
         "Target": "trees.port_values",
+        "After": "trees.skill",
         "Before": "trees.skill",
         "Evidence": "trees.skill",
         "Need": "trees.skill",
         "Skill": "trees.skill",
         "as_answered": "trees.skill",
         "as_asked": "trees.skill",
+        "get_in_hand": "trees.skills.carrying.get_in_hand",
         "Locate": "trees.skills.looking.locate",
         "LookAt": "trees.skills.looking.look_at",
         "search_place": "trees.skills.looking.search_place",
         "found_by_turning": "trees.skills.searching.look_elsewhere",
         "where_it_may_be": "trees.skills.searching.look_elsewhere",
-        "Say": "trees.skills.talking.say",
-        "tidily": "trees.skills.tidily",
+        "Say": "trees.skills.talking.tree",
+        "tidily": "trees.leaves.go_home",
         "ReadyToWalk": "trees.skills.walking.ready_to_walk",
         "WalkTo": "trees.skills.walking.walk_to",
         "Count": "trees.tasks",

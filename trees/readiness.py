@@ -9,7 +9,7 @@ from py_trees.behaviour import Behaviour
 
 from trees.nodes.best_effort import BestEffort
 from trees.skill import Need, Skill
-from trees.skills.doors.leave_handle import leave_handle
+from trees.skills.doors.handle.step_back import leave_handle
 from trees.skills.home.hand_about import objects_in_open_grasp
 from trees.skills.home.leave_object import leave_object
 from trees.skills.home.lift_clear import LiftClear, held_near_support

@@ -30,9 +30,24 @@ class Before(Enum):
     THING_AT_HAND = "its ``object``, said to be at ``source``, is within reach of where the robot stands"
     THING_HELD = "its ``object`` is in a hand"
     SOURCE_OPEN = "where its ``object`` is said to be, ``source``, stands open"
-    GOAL_OPEN = "what its ``object`` goes into, ``to``, stands open"
-    AT_GOAL = "the robot stands before where its ``object`` goes or whom it is for: ``to``, or ``person``"
+    GOAL_OPEN = "what its ``object`` goes into, the task's goal, stands open"
+    AT_GOAL = "the robot stands before the task's goal: where its ``object`` goes, or whom it is for"
+    AT_SURFACE = "the robot stands before the furniture that its ``object`` is put on, the task's goal"
     SOURCE_IN_VIEW = "the robot stands before the furniture that it is asked about, ``source``"
+
+
+class After(Enum):
+    """Something that is true once a task of a skill was done; the value says it in words.
+
+    Whoever needs it, and has not been told how, has it brought about by the skill whose record names it:
+    ``trees.registry.task_that`` makes the task.
+    """
+
+    THING_HELD = "its ``object`` is in a hand"
+    THING_LEFT = "its ``object`` stands somewhere, and the hand that held it is empty"
+    THING_OPEN = "its ``object`` stands open"
+    AT_GOAL = "the robot stands before ``to``"
+    PERSON_KNOWN = "it is known who the ``person`` is that a word stands for"
 
 
 class Need(Enum):
@@ -53,9 +68,23 @@ def as_answered(text: str, _subject: str, evidence: Evidence) -> str:
     return str(evidence.get("said", text))
 
 
+def to_or_person(task: Any) -> Any:
+    """The goal of a task that says it in its slot ``to`` or ``person``; None where it has none."""
+    return getattr(task, "to", None) or getattr(task, "person", None)
+
+
+def never(_task: Any) -> bool:
+    """No task does it, whatever it says."""
+    return False
+
+
 def no_longer(_task: Any) -> float:
     """What a task lasts of which nobody says how long."""
     return 0.0
+
+
+Written = Callable[[str], Any]
+"""Gives what the leaves of a task's tree wrote to a port, by the port's name; None where none wrote."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,10 +110,16 @@ class Skill:
         claim: Says what was done, from the sentence, the noun of its object and the evidence.
         needs: What a robot has to have for it. Where something is missing nothing begins to move.
         before: What has to be true before it begins; what is not so is brought about first.
+        after: What is true once a task was done; by this others find the skill that brings it about.
+        goal: Where its object goes, or whom it is for, out of the task's slots.
+        about: Names what a task that was done was about, as the planning scene has it, from what its leaves
+            wrote. What was picked up is known without it.
         hands_stay: Whether the hands stay where a cancelled task left them: about a thing, at a handle, or
             low over furniture. Otherwise they are taken from there first.
         lasts_s: How long a task goes on because that was said, beyond the time that any task may take.
         goes_away: Whether the robot may be elsewhere afterwards, where "me" and "here" mean something else.
+        strays: Whether a task leads the robot away to no place that anything is known of: what was at hand
+            is not at hand afterwards either.
     """
 
     task: type[Any]
@@ -97,9 +132,13 @@ class Skill:
     claim: Callable[[str, str, Evidence], str] = as_asked
     needs: frozenset[Need] = frozenset()
     before: frozenset[Before] = frozenset()
+    after: frozenset[After] = frozenset()
+    goal: Callable[[Any], Any] = to_or_person
+    about: Callable[[Written], str | None] | None = None
     hands_stay: bool = False
     lasts_s: Callable[[Any], float] = no_longer
     goes_away: bool = False
+    strays: Callable[[Any], bool] = never
 
     @property
     def action(self) -> str:

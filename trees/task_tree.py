@@ -11,13 +11,11 @@ from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard
 from py_trees.common import Status
 
-from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.destination import Place, called
 from trees.beliefs.grounding.report_words import numbered
-from trees.beliefs.openings.handles import BODY_OF, HandleTarget
 from trees.events import LeafFailed, NodeChanged
 from trees.failures import Failure, FailureKind, Number
-from trees.nodes.failure_chain import failure_of, place_of
+from trees.nodes.judgements import failure_of, place_of
 from trees.nodes.leaf import Leaf, from_exception
 from trees.nodes.retry import Retry
 from trees.nodes.snapshot_of import snapshot_of, status_word
@@ -25,7 +23,7 @@ from trees.port_values import Target
 from trees.registry import skill_of
 from trees.skill import Need
 from trees.snapshot import TreeSnapshot
-from trees.tasks import ObjectDescription, Task, WalkToTask
+from trees.tasks import ObjectDescription, Task
 from trees.toolbox import Toolbox
 
 # of two hundred nodes at each tick: a loop of its own would take as long as ticking them
@@ -174,17 +172,13 @@ class TaskTree:
             if done or self._was_taken(target.name):
                 self._toolbox.world.last_acted_on = target.name
             self.others = tuple(self._written("others") or ())
-        place = self._written("place")
-        if isinstance(self.task, WalkToTask) and isinstance(place, Place) and place.category == "object":
-            self.acted_on = place.name if done else None
-        skill = skill_of(self.task)
+        place, skill = self._written("place"), skill_of(self.task)
         if skill is not None and Need.LEGS in skill.needs:
             self._toolbox.world.sent_to = None
             if done and isinstance(place, Place) and place.category == "furniture":
                 self._toolbox.world.sent_to = place.name
-        handle = self._written("handle")
-        if done and isinstance(handle, HandleTarget):
-            self.acted_on = handle.part if handle.kind == DRAWER else BODY_OF[handle.kind]
+        if done and skill is not None and skill.about is not None:
+            self.acted_on = skill.about(self._written) or self.acted_on
         for table in (Blackboard.storage, Blackboard.metadata):
             for key in [key for key in table if key.startswith(f"{self._namespace}/")]:
                 del table[key]

@@ -30,7 +30,7 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.build import NoSkillError
 from trees.failures import FailureKind
 from trees.policy import Gaze, TreePolicy
-from trees.skills.pick.dry_run import build_dry_run
+from trees.skills.pick.tree import build_dry_run
 from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Job, Planned, Planning, Toolbox
 

@@ -23,7 +23,7 @@ from trees.beliefs.grounding.grounding import exactly, ground
 from trees.beliefs.grounding.questions import OTHER
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.failures import Failure, FailureKind
-from trees.tasks import ObjectDescription, WalkToTask
+from trees.tasks import ObjectDescription
 
 
 def answered_command(
@@ -81,7 +81,7 @@ def answered_command(
 
 def of_one(command: Command, name: str) -> Command:
     """The command for one named object."""
-    changes: dict[str, Any] = {"to" if isinstance(command, WalkToTask) else "object": exactly(name)}
+    changes: dict[str, Any] = {"object" if hasattr(command, "object") else "to": exactly(name)}
     if hasattr(command, "count"):
         changes["count"] = 1
     return replace(command, **changes)

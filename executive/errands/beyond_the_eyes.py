@@ -10,7 +10,7 @@ from executive.understanding.canonical_words import vocabulary
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
-from trees.beliefs.scene.called import can_be_told
+from trees.beliefs.scene.labels import can_be_told
 from trees.tasks import ObjectDescription
 
 _SLOTS = ("object", "source", "on", "to")

@@ -15,10 +15,9 @@ from executive.errands.answered_command import answered_command, of_one
 from executive.errands.errand_beliefs import ErrandBeliefs
 from executive.errands.impossible import beyond
 from executive.errands.nearness import Nearness
-from executive.errands.required import handles, with_names
+from executive.errands.prepared import Known, Prepared
+from executive.errands.required import goal, handles, puts_in, puts_on, requires, walk, with_names
 from executive.errands.unsaid_steps import (
-    Known,
-    Prepared,
     looked_for,
     prepared,
     seen_from_where,
@@ -30,19 +29,12 @@ from executive.session.session import Session
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.trust import OnQuestion
 from executive.understanding.provenance import Provenance
+from trees.beliefs.grounding.destination import START
 from trees.beliefs.grounding.grounding import exactly
-from trees.beliefs.grounding.regions import START
 from trees.build import NoSkillError
 from trees.failures import Failure, FailureKind, Reason
-from trees.tasks import (
-    Destination,
-    HandOverTask,
-    ObjectDescription,
-    ObjectOf,
-    PlaceTask,
-    Thing,
-    WalkToTask,
-)
+from trees.skill import Before
+from trees.tasks import Destination, ObjectDescription, ObjectOf
 
 Steps = Generator[OpenQuestion | None, str | None, tuple[TaskResult, ...]]
 """None after each tick, a question where one is open; takes its answer, or None when there is none."""
@@ -160,14 +152,15 @@ class Errand:
             return True
         if failure.root.reason is Reason.NO_GRASP and _is_far(command.object, known):
             return True
-        if failure.root.kind is not FailureKind.INFEASIBLE or not isinstance(command, PlaceTask):
+        if failure.root.kind is not FailureKind.INFEASIBLE or not puts_on(command):
             return False  # and what no hand could take is brought nowhere
-        meant = self._beliefs.with_other_furniture_named(command)
-        return carries and isinstance(meant, PlaceTask) and _is_far(meant.on or meant.to, known)
+        return carries and _is_far(goal(self._beliefs.with_other_furniture_named(command)), known)
 
     def _carries(self, command: Command) -> bool:
         """Whether something is in a hand by now and only has to go somewhere, or to somebody."""
-        return isinstance(command, PlaceTask | HandOverTask) and self._beliefs.known().in_hand(command)
+        if not handles(command) or puts_in(command) or not requires(command, Before.THING_HELD):
+            return False
+        return self._beliefs.known().in_hand(command)
 
     def _tell_of_what_was_said(self, step: Prepared, results: list[TaskResult]) -> None:
         """What was not to be seen elsewhere either is told as what was asked for, not as a walk to it."""
@@ -218,14 +211,16 @@ class Errand:
                 if walked.outcome != "done":
                     return replace(result, outcome=walked.outcome, failure=walked.failure)
 
-    def _walk_there(self, command: Command, asked: Failure) -> WalkToTask | None:
+    def _walk_there(self, command: Command, asked: Failure) -> Command | None:
         """The walk to the furniture in a room that something goes onto, if the robot is not before it."""
-        if not isinstance(command, PlaceTask) or asked.choice_slot != "on" or not self._walks():
+        on = goal(command)
+        if not puts_on(command) or asked.choice_slot != "on" or not self._walks():
             return None
-        if command.to not in self._session.toolbox.places or not isinstance(command.on, ObjectDescription):
+        if not isinstance(on, ObjectDescription):
             return None
-        near = self._beliefs.known().is_near(Nearness(command.on))
-        return None if near else WalkToTask(f"walk to the {command.on}", command.on)
+        if getattr(command, "to", None) not in self._session.toolbox.places:
+            return None
+        return None if self._beliefs.known().is_near(Nearness(on)) else walk(f"walk to the {on}", on)
 
     # --- before anything moves ------------------------------------------------------------------
 
@@ -276,7 +271,7 @@ def _may_be_elsewhere(source: Destination | None, known: Known) -> bool:
     return not (isinstance(source, ObjectDescription) and known.is_near(Nearness(source)))
 
 
-def _is_far(place: Destination | Thing | None, known: Known) -> bool:
+def _is_far(place: Destination | None, known: Known) -> bool:
     """Whether a thing, or furniture, is where no hand gets to without a step."""
     if isinstance(place, str):
         return not known.is_near(Nearness(ObjectDescription(place)))

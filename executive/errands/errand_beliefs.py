@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from executive.errands.nearness import Nearness, is_away, is_near
 from executive.errands.other_furniture import named_other, with_other_furniture_named
-from executive.errands.unsaid_steps import Known
+from executive.errands.prepared import Known
+from executive.errands.required import puts_on
 from executive.meaning import Command
 from executive.references import references
 from trees.beliefs.grounding.grounding import Found, ground
@@ -14,10 +15,9 @@ from trees.beliefs.openings.drawer_inside import DrawerInside, inside_of_drawer
 from trees.beliefs.openings.fridge_inside import LEAST_OPEN_RAD, door_opening_rad
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.held_object import HeldObject
-from trees.readings.around import base_pose, what_is_around
 from trees.readings.held import held_object
-from trees.readings.odometry import body_pose
-from trees.tasks import Bringing, ObjectDescription, ObjectOf, PlaceTask
+from trees.readings.odometry import base_pose, body_pose, what_is_around
+from trees.tasks import Bringing, ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
 
 
@@ -49,7 +49,7 @@ class ErrandBeliefs:
 
     def with_other_furniture_named(self, command: Command) -> Command:
         """A command whose "other" furniture is named, if it is known by now which one that is."""
-        leaves = self._stood_on(command) if isinstance(command, PlaceTask) else None
+        leaves = self._stood_on(command) if puts_on(command) else None
         return with_other_furniture_named(command, self.around(), leaves)
 
     def around(self) -> Surroundings:
@@ -63,7 +63,7 @@ class ErrandBeliefs:
         wanted = replace(wanted, thing=named_other(wanted.thing, around))
         return is_near(wanted, around, self._toolbox.world.scene, base_pose(self._toolbox))
 
-    def _stood_on(self, task: PlaceTask) -> str | None:
+    def _stood_on(self, task: Bringing) -> str | None:
         """What the object of a task stood on before it came into a hand."""
         held = held_object(self._toolbox, task.object, task.hand)
         origins = self._toolbox.world.taken_from

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from executive.errands.beyond_the_eyes import cannot_be_told, what_can_be_found
-from executive.errands.required import handles
+from executive.errands.required import handles, puts_on
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
 from trees.beliefs.grounding.articles import with_article
@@ -14,7 +14,7 @@ from trees.beliefs.grounding.report_words import listed
 from trees.readiness import lacking
 from trees.registry import skill_of
 from trees.skill import Need
-from trees.tasks import Bringing, ObjectDescription, PlaceTask
+from trees.tasks import Bringing, ObjectDescription
 from trees.toolbox import Toolbox
 
 
@@ -94,7 +94,7 @@ def impossible(
     for command in commands:
         if handles(command) and any(map(_is_floor, _places(command))):
             return Impossible(command, "the floor is too low for the hands of this robot", _FLOOR)
-        if isinstance(command, PlaceTask) and (below := _below(command)) is not None:
+        if puts_on(command) and (below := _below(command)) is not None:
             return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")
     if labels is not None and (untold := cannot_be_told(commands, labels)) is not None:
         command, word = untold
@@ -110,11 +110,10 @@ def _places(command: Bringing) -> list[object]:
     return [*(getattr(command, slot, None) for slot in _SLOTS), *is_on]
 
 
-def _below(place: PlaceTask) -> str | None:
+def _below(command: Bringing) -> str | None:
     """What it would have to be put below: "under the table"."""
-    relation = (
-        place.to.relation if isinstance(place.to, ObjectDescription) and place.to.kind is None else None
-    )
+    to = getattr(command, "to", None)
+    relation = to.relation if isinstance(to, ObjectDescription) and to.kind is None else None
     return str(relation) if relation is not None and relation.kind == "under" else None
 
 

@@ -15,8 +15,9 @@ from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
-from trees.beliefs.scene.gap_to_furniture import gap_to_furniture_m
-from trees.tasks import MoveTask, ObjectDescription
+from trees.beliefs.scene.furniture_pieces import gap_to_furniture_m
+from trees.skills.moving import AWAY_M, AWAY_RAD
+from trees.tasks import ObjectDescription
 
 _AHEAD_M = (0.3, 0.65)
 _ASIDE_M = 0.45
@@ -73,22 +74,6 @@ def _is_before(furniture: BelievedThing, scene: PlanningScene, odom_T_base: Tran
     return bool(is_ahead and gap_to_furniture_m(scene.objects[furniture.name], odom_T_base) <= _BEFORE_M)
 
 
-_TURNED_RAD = 0.7
-"""Heads turn farther than this by themselves: what was ahead is in view still."""
-_GONE_M = 0.5
-"""Hands do not get to what was in the middle of their reach."""
-
-
 def is_away(body: PlanarPose) -> bool:
     """Tell it from where the base is in the odometry frame, whose origin is where the robot began."""
-    return abs(wrapped(body.yaw_rad)) > _TURNED_RAD or math.hypot(body.x_m, body.y_m) > _GONE_M
-
-
-def leads_away(move: MoveTask) -> bool:
-    """Tell it of a velocity that is going to be driven; one without an end leads anywhere."""
-    seconds = math.inf if move.duration_s is None else move.duration_s
-    turn_rad = abs(move.angular_rad_s) * seconds if move.angular_rad_s else 0.0
-    far_m = abs(move.linear_m_s) * seconds if move.linear_m_s else 0.0
-    if move.distance_m is not None:
-        far_m = min(far_m, abs(move.distance_m))
-    return turn_rad > _TURNED_RAD or far_m > _GONE_M
+    return abs(wrapped(body.yaw_rad)) > AWAY_RAD or math.hypot(body.x_m, body.y_m) > AWAY_M

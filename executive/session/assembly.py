@@ -26,7 +26,7 @@ from robots.perception.place_map import place_map
 from robots.perception.stub import PerceptionStub
 from robots.scenes.planned_fault import PlannedFault
 from robots.scenes.scene_description import SceneDescription
-from robots.seeded import seeded
+from robots.seeded import Seeded
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
@@ -94,7 +94,7 @@ def assemble(
         SceneError: The scene cannot be a world.
     """
     sink = EventHub(sink)
-    chance = seeded(seed)
+    chance = Seeded.by(seed)
     data = load_robot_for_tasks(robot)
     description = data.description
     if posture:

@@ -20,7 +20,7 @@ from trees.build import TaskTree, build_tree
 from trees.failures import Failure, FailureKind
 from trees.nodes.leaf import from_exception
 from trees.registry import skill_of
-from trees.tasks import ObjectDescription, PickTask, Task
+from trees.tasks import ObjectDescription, Task
 from trees.toolbox import Toolbox
 
 HALT_TICKS = 100
@@ -361,9 +361,9 @@ class Session:
 
 
 def _subject(command: Command, acted_on: str | None) -> str:
-    """What a pick was about, in words: where no noun was said, the name of what it came to be."""
-    if not isinstance(command, PickTask):
-        return ""
-    wanted = command.object
+    """What a command is about, in words: where no noun was said, the name of what it came to be."""
+    wanted = getattr(command, "object", None)
     has_noun = not isinstance(wanted, ObjectDescription) or bool(wanted.kind or wanted.name)
-    return str(wanted) if has_noun or acted_on is None else kind_of(acted_on)
+    if acted_on is not None and (wanted is None or not has_noun):
+        return kind_of(acted_on)
+    return "" if wanted is None else str(wanted)

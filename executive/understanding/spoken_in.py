@@ -18,7 +18,7 @@ def spoken_in(scene: str | None) -> Iterator[None]:
     Raises:
         SceneError: There is no such scene.
     """
-    from robots.scenes.object_names import spoken_words  # whoever only parses needs no scene
+    from robots.scenes.scene_description import spoken_words  # whoever only parses needs no scene
     from robots.scenes.scene_file import load_scene
 
     with words_of_the_place(() if scene is None else spoken_words(load_scene(scene))):

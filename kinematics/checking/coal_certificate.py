@@ -58,7 +58,8 @@ class CollisionCheck:
     """One run of the collision check; made for one trajectory in one scene.
 
     Attributes:
-        min_distance_m: Smallest exact distance seen so far (infinite when balls proved everything).
+        min_distance_m: Smallest exact distance seen so far; infinite where bounding balls alone proved that
+            nothing comes near.
         queries: How many exact distances were computed.
     """
 

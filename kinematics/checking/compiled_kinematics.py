@@ -15,7 +15,7 @@ from kinematics.model.robot_model import RobotModel
 
 
 class CompiledKinematics(BatchedKinematics):
-    """The same, ten times as fast.
+    """The forward kinematics of ``BatchedKinematics`` in compiled code, ten times as fast.
 
     Attributes:
         links: The tree for other compiled code.

@@ -44,12 +44,13 @@ _LOOKS = 17
 
 @dataclass(frozen=True, slots=True)
 class Conceded:
-    """What is left to judge.
+    """What is left to judge of a motion, once the concessions that its planner asked for were weighed.
 
     Attributes:
-        scene: With the pairs that may touch.
-        lowered: What other pairs keep instead of their margins, m.
-        findings: Concessions beyond the rules.
+        scene: The scene, in which the pairs that may touch are allowed.
+        lowered: Of each pair that may come nearer but not touch, the distance that it keeps instead of its
+            margin, m.
+        findings: The concessions that the rules do not grant: each is a defect of the motion.
     """
 
     scene: PlanningScene
@@ -58,7 +59,7 @@ class Conceded:
 
 
 class ConcessionJudge:
-    """Bounds the concessions of one robot's motions."""
+    """Says how much is granted of the concessions that the planner of a motion asks for, for one robot."""
 
     def __init__(self, model: RobotModel, kinematics: BatchedKinematics, pairs: PairBuilder) -> None:
         self._kinematics, self._pairs = kinematics, pairs

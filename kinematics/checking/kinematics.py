@@ -38,7 +38,7 @@ class BodyPoses:
 
 
 class BatchedKinematics:
-    """The kinematic tree as arrays.
+    """Forward kinematics of a robot at many instants at once: its kinematic tree as arrays.
 
     Attributes:
         parent: Parent body of each body.

@@ -34,7 +34,8 @@ class PairLayout:
 
     Attributes:
         first, second: Indices of all pairs' solids, shape (p,).
-        row: Of the pairs after the own ones: which of the solids that are not the robot's they have.
+        row: For each pair after the robot's own, the index of its solid that is not the robot's, among those
+            that are not.
         kinds: What a pair's contact is called.
     """
 

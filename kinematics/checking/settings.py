@@ -31,8 +31,8 @@ class CheckSettings:
         spare_m: Two solids are certified to keep so much more than the margin: what they may approach
             each other by while a motion is led in, which nobody checks (see ``start_gap``).
         cell_s: Length of the time intervals that the collision check with Coal starts from.
-        cut_rad: The compiled one starts from parts in which no joint goes farther than about this: in
-            longer ones hardly anything near is proven.
+        cut_rad: The compiled collision check begins by cutting a motion into parts in which no joint goes
+            farther than about this: hardly anything near can be proven of longer ones.
         subdivision: Into how many an interval is split that could not be certified.
         dynamics_period_s: Spacing of the configurations at which CoM, ZMP and efforts are computed.
             Joints within their acceleration limit bend a path by less than 0.4 mrad in that time.

@@ -19,7 +19,7 @@ from kinematics.standing.reserves import BRAKING_RESERVE_M
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """What is kept beyond touching: a motion that is stopped brakes within that.
+    """Distances that postures keep, m, so that a motion that is stopped comes to rest before it touches.
 
     Attributes:
         own_m: Between the robot's own links, the legs' left out.

@@ -22,7 +22,7 @@ ARM_ERROR_NM, TORSO_ERROR_NM = 1.0, 3.0
 
 
 class HandForce:
-    """Estimates the force on one hand."""
+    """Estimates force and moment of the surroundings on a hand, from the efforts of its arm and the trunk."""
 
     def __init__(self, model: RobotModel, hand: Hand, viscous_nms_rad: float) -> None:
         """Prepare.

@@ -22,7 +22,8 @@ from kinematics.model.robot_model import RobotModel
 
 
 class HandTouch:
-    """Foretells the torque of one joint from the torques of the others.
+    """Foretells the torque of one joint of arm or trunk from those of the others, as if one wrench on the
+    hand were behind them all: a joint that feels something else is not touched at the hand.
 
     Attributes:
         joints: Indices of the joints that are looked at, arm first, then torso, among the body's joints.

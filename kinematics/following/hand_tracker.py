@@ -56,14 +56,14 @@ _LOWEST_SHARE = 0.73
 
 @dataclass(frozen=True, slots=True)
 class HandGoal(Sealed):
-    """Where the hand shall be.
+    """Where a hand shall be at one tick, in the world.
 
     Attributes:
-        position_m: Of the TCP, shape (3,).
-        rotation: Of the TCP, shape (3, 3).
+        position_m: Place of the TCP, shape (3,).
+        rotation: ``world_R_tcp``, shape (3, 3).
         spin_weight: How much the turn about ``spin_axis`` matters, m/rad; a hand on a bar may leave it open.
         spin_axis: Unit vector, shape (3,): the bar.
-        com_shift_m: Of the CoM against the middle of the feet, shape (2,).
+        com_shift_m: Where the CoM shall be over the floor, from the middle between the feet, shape (2,).
     """
 
     position_m: Array
@@ -74,12 +74,12 @@ class HandGoal(Sealed):
 
 
 class HandTracker:
-    """Follows goals with one hand; ``tick`` goes on by one tick.
+    """Moves the body so that one hand follows goals that are only known as it goes, one tick after the other.
 
     Attributes:
         q: Configuration now, shape (nq,).
-        tcp_m, tcp_rotation: Of the hand there.
-        followed_m: The goal's position as it is followed.
+        tcp_m, tcp_rotation: The hand's TCP at that configuration, in the world, shapes (3,) and (3, 3).
+        followed_m: The point that the hand is led to now: it goes to the goal no faster than the hand may.
         standing: Whether the legs reach the ground there.
     """
 

@@ -30,12 +30,12 @@ SAME_SIZE_M = 0.02
 
 @dataclass(frozen=True, slots=True)
 class Loosened:
-    """One thing that a document may loosen.
+    """One rule of the checker that the document of a trajectory may loosen, and how far.
 
     Attributes:
         what: The key of the document, and what it says there.
-        bound: Beyond which it is refused.
-        why: What needs it.
+        bound: How far it may; a document that goes beyond this is refused.
+        why: What kind of motion needs it.
     """
 
     what: str

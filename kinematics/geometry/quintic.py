@@ -9,11 +9,11 @@ from kinematics.arrays import Array
 
 @dataclass(frozen=True, slots=True)
 class Quintic:
-    """One coordinate on its way to rest at a goal; it stays there afterwards.
+    """The polynomial of fifth degree that brings one coordinate to rest at a goal, where it then stays.
 
     Attributes:
-        goal: Where it comes to rest.
-        duration_s: When.
+        goal: Where it comes to rest, in the unit of the coordinate.
+        duration_s: Time until it does.
         coefficients: Of the powers of time, from the 0th.
     """
 

@@ -24,7 +24,7 @@ _VERTICAL = 0.99
 
 @dataclass(frozen=True, slots=True)
 class ArmFrames:
-    """Places in the world at n configurations.
+    """Where the parts of one arm, and the chest, are in the world at n configurations.
 
     Attributes:
         shoulder_m, elbow_m, tcp_m: Of the arm's second and fourth joint, and of the TCP, shape (n, 3).

@@ -32,11 +32,11 @@ _LEAST_DAMPING = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class ArmPosture(Sealed):
-    """One answer.
+    """The posture at which a search ended; ``error`` says whether it meets what was asked for.
 
     Attributes:
         q: Configuration, shape (nq,); only the arm's joints and the trunk's turn differ from the start's.
-        error: Norm of the residual, without the pull.
+        error: Norm of the residual there; the pull to the preferred posture is not counted.
     """
 
     q: Array

@@ -67,11 +67,11 @@ JUDGED_ROW = _PAIR_ROWS["judged"]
 
 
 class Block(NamedTuple):
-    """Some of a problem's arrays, laid out.
+    """Some arrays of a collision problem, one behind the other in two buffers, as compiled code takes them.
 
     Attributes:
-        floats, ints: Their numbers behind each other.
-        table: Begin and up to three lengths of each, shape (n, 4).
+        floats, ints: The two buffers.
+        table: Of each array, where it begins in its buffer and up to three lengths, shape (n, 4).
         are_floats: In which of the two buffers each of them is, shape (n,).
         rows: Which rows of a problem's table they are, shape (n,).
     """
@@ -108,15 +108,15 @@ def block(values: Iterable[Value | Parts], rows: Sequence[int]) -> Block:
 
 
 class Sizes(NamedTuple):
-    """What the memory of compiled code is as large as.
+    """The numbers that say how much memory the compiled collision judge needs.
 
     Attributes:
-        bodies: Of the tree.
+        bodies: Bodies of the kinematic tree.
         depth: The longest chain of joints between a body and the world.
-        free: Coordinates of a point.
-        nq: Of a configuration.
-        moving, objects: Solids.
-        own_pairs: Pairs among what moves.
+        free: Free coordinates of a point.
+        nq: Numbers of a configuration.
+        moving, objects: Solids that move with the robot, and those of the scene.
+        own_pairs: Pairs of solids that both move with the robot.
     """
 
     bodies: int

@@ -28,15 +28,15 @@ _BASE = 1
 
 
 class RobotAlone(NamedTuple):
-    """What a robot without a scene amounts to, in free coordinates.
+    """All that the collision judge knows of a robot before there is a scene, in free coordinates.
 
     Attributes:
-        chains: Of its bodies, with balls about its solids.
-        own: Its pairs, by group.
-        carriers: What carries its solids.
+        chains: The joints between each body and the world, with balls about the solids.
+        own: Pairs of its own solids, by group.
+        carriers: The body that carries each solid.
         laid_out: All of them, ready for the compiled code.
-        levels: What ``levels_of`` has found so far.
-        holding: The same with things that it held lately.
+        levels: Answers that ``levels_of`` gave so far.
+        holding: The same robot with each load that it held lately.
     """
 
     chains: Chains
@@ -73,7 +73,7 @@ _KEPT = 8
 
 
 class RobotArrays:
-    """A robot, flattened.
+    """A robot's kinematic tree and collision geometry as arrays, made once for all scenes.
 
     Attributes:
         model: Pinocchio's model.
@@ -81,7 +81,7 @@ class RobotArrays:
         solids: One for each collision geometry.
         names: Links that they belong to.
         self_pairs: Pairs of solids that are judged, shape (n, 2).
-        limb: The limb that each body belongs to, shape (bodies,).
+        limb: Number of the limb that each body belongs to, shape (bodies,).
 
     Raises:
         ModelError: A joint or a collision geometry is of a kind that the kernel does not know.

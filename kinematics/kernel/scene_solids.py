@@ -19,7 +19,7 @@ from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
 
 class SceneSolids(NamedTuple):
-    """A scene around a robot.
+    """The solids of a robot, of what it holds and of the scene around it, ready for the collision judge.
 
     Attributes:
         names: Link or object of each solid: the robot's, what it holds, then the objects.

@@ -11,7 +11,7 @@ Ts = TypeVarTuple("Ts")
 
 
 class Derivable:
-    """Base of values that never change, of which others make tables, solvers and judges that take long.
+    """Base of values that never change, of which others make tables, solvers and judges at some cost.
 
     Who makes them asks the value for what was made before, so that no module keeps a table of its own. A
     subclass has a dict ``_derived``, empty at first, that no copy with other contents may share.

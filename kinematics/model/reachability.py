@@ -39,7 +39,8 @@ class GridAxis:
 
 @dataclass(frozen=True, slots=True)
 class ReachabilityMap:
-    """Of the directions in which a hand takes hold, the share in which it gets to a place.
+    """How well each hand reaches the places around a robot: at each, the share of the directions of grasp in
+    which the hand gets there.
 
     Places are seen from the middle between the feet, on the floor: x ahead, y to the left, z up, m.
 

@@ -54,8 +54,9 @@ class GripperDescription:
         open_rad, closed_rad: Joint positions, fully open and fully closed.
         opening_table: Pairs (joint rad, opening between the pads m), rising in joint position.
         payload_kg: The heaviest that arm and hand are made to carry; nothing held is taken for heavier.
-        pad_half_size_m: Half-sizes of each finger's pad (across, thickness, length), as ``pad_links``.
-        pad_position_m: Centre of each pad in its fingertip link.
+        pad_links: Fingertip links, each with one pad.
+        pad_half_size_m: Half-sizes of each pad (across, thickness, length), in the order of ``pad_links``.
+        pad_position_m: Centre of each pad in the frame of its fingertip link, in that order.
         pad_gap_m: Between neighbouring pads of one side, across the approach: what is round about the
             approach sinks in between them.
         palm_distance_m: From the TCP back to the palm, along the approach.

@@ -20,8 +20,8 @@ from kinematics.model.stance import Stance
 class HeldLoad:
     """A mass that a frame of the robot carries.
 
-    The own inertia of an object no larger than a hand is a hundredth of what its distance from the
-    shoulder makes of its mass, so a load is a point.
+    A load is a point: the inertia of an object no larger than a hand about its own centre is a hundredth of
+    that about the shoulder.
 
     Attributes:
         frame: Model frame that carries it.

@@ -30,16 +30,16 @@ SPREAD_RAD = 0.6
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """What a posture is to be like.
+    """What the posture of a gesture is to be like, for the search of it.
 
     Attributes:
-        residual: What should be zero.
+        residual: What should be zero, from the places of the arm's parts.
         look_m: Where the robot looks and turns its trunk to, shape (3,).
         good: Whether a posture will do.
         goodness: What ``good`` asks, in words.
-        enough: Residual that it may keep.
-        starts: How often a search begins at random.
-        spread_rad: How far beside home it begins.
+        enough: Norm of the residual at which a posture is taken.
+        starts: How often the search begins anew, at random.
+        spread_rad: How far from the home posture each joint may be where it begins.
         has_room: Whether a configuration, shape (nq,), keeps away from things; None leaves that to the way.
     """
 
@@ -57,7 +57,7 @@ class GestureTask(ABC):
     """The state of one gesture's planning; a subclass knows how the robot gets to a posture.
 
     Attributes:
-        arm: Of the hand.
+        arm: The arm that makes the gesture.
         outwards: 1 for the left hand, -1 for the right one: the sign of its side.
     """
 

@@ -78,7 +78,7 @@ class GraspCandidate:
 
 @dataclass(frozen=True, slots=True)
 class GraspTable:
-    """Candidates of one hand in rows, most natural first: objects are made of those alone that are tried.
+    """Candidate grasps of one hand as arrays, most natural first; ``candidate`` makes an object of a row.
 
     Attributes:
         hand: The hand.
@@ -86,7 +86,8 @@ class GraspTable:
         world_T_tcp: Where the TCP is, shape (n, 4, 4).
         diameter_m: Width of what is between the pads, shape (n,).
         cost: As of ``GraspCandidate``, shape (n,).
-        label: Of each grasp, in three parts: by yaw and kind, which of them, and what follows.
+        label: What ``name`` makes the labels of: the first parts by yaw and kind, the index of the yaw and of
+            the kind of each grasp, and the end of its label.
     """
 
     hand: Hand

@@ -40,11 +40,11 @@ _JUDGED_SHARE = 1.0 / 10.0
 
 @dataclass(frozen=True, slots=True)
 class Rehearsal:
-    """How far it went.
+    """How far a hand led a handle along its path when that was tried out beforehand.
 
     Attributes:
-        farthest_s: The last opening at which everything was well.
-        reason: Why it went no farther; empty when it got there.
+        farthest_s: The farthest opening, rad or m, that was reached without a fault.
+        reason: Why it went no farther; empty when it got to the end.
     """
 
     farthest_s: float

@@ -38,7 +38,7 @@ _STRAIGHT = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class PathSettings:
-    """How long to search.
+    """How long a search for a path goes on.
 
     Attributes:
         iterations: Most extensions of the two trees.

@@ -47,14 +47,14 @@ ENOUGH_BALANCE_M = 0.06
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """A grasp that can be approached.
+    """A grasp, and the straight way by which the hand can approach it.
 
     Attributes:
         candidate: The grasp.
         q: Configuration that holds it.
         gaze: Head joints that look at the target.
         approach: The straight way there.
-        x_pregrasp: Where that begins.
+        x_pregrasp: Free coordinates where that way begins.
     """
 
     candidate: GraspCandidate

@@ -45,13 +45,13 @@ _OWN_SEEDS = 2
 
 @dataclass(frozen=True, slots=True)
 class PlaceGoal:
-    """A way down to a spot that is free, and back for the hand.
+    """A spot where the object can be put down, and the straight way down to it.
 
     Attributes:
         spot: Index of the spot among those of the request.
         world_T_object: Pose of the object at rest there, shape (4, 4).
         lower: The way down, over the free coordinates.
-        x_hover: Where it begins.
+        x_hover: Free coordinates where that way begins.
         lower_scene: Scene in which the object may touch what carries it.
     """
 

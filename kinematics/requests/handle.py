@@ -17,9 +17,9 @@ class HandlePlan:
 
     Attributes:
         grasp: The chosen grasp.
-        reach, approach: In order.
-        farthest_s: Up to where along the path the hand was found to get; short of ``s_to`` by at most
-            what the request's planner leaves.
+        reach, approach: The two steps, in this order.
+        farthest_s: How far along the path, rad or m, the hand was found to get: to ``s_to`` of the request,
+            or so little less that the planner takes the handle for open.
         considered: How many grasps were looked at.
     """
 

@@ -13,7 +13,7 @@ from kinematics.scene.concessions import Concession
 
 @dataclass(frozen=True, slots=True)
 class MovePlan:
-    """One motion."""
+    """The answer to a request that one motion fulfils."""
 
     step: PlannedStep
 
@@ -25,7 +25,8 @@ class MoveRequest(Request[MovePlan | NoPlan]):
     Attributes:
         joints: Goal positions of some body joints, rad.
         keep_others: Joints left out stay where they are instead of going home.
-        pelvis_m: How far the pelvis goes beside, in the world, shape (3,); nothing for a welded base.
+        pelvis_m: How far the pelvis moves meanwhile, along the axes of the world, shape (3,); a welded base
+            does not.
         seed: Of everything random in the plan.
     """
 
@@ -44,8 +45,8 @@ class RetreatRequest(Request[MovePlan | NoPlan]):
         world_offset_m: Where the TCP goes, relative to where it is, in the world, shape (3,).
         steady_m: CoM margin that is wanted along the way; of the ways that are allowed, the first that has
             it is taken.
-        shares: Of the offset, which may be gone, in order of preference.
-        turns_rad: By which the hand may turn about the vertical meanwhile, in order of preference.
+        shares: Fractions of the offset that will do, in order of preference.
+        turns_rad: Angles by which the hand may turn about the vertical meanwhile, in order of preference.
         concessions: What may touch on the way: what the fingers held, what carries a held object.
     """
 

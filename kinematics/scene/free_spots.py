@@ -51,11 +51,12 @@ _TURN_RAD = math.radians(15.0)
 
 @dataclass(frozen=True, slots=True)
 class FreeSpot(Sealed):
-    """A spot on a top.
+    """A place on the top of a piece of furniture where there is room for an object.
 
     Attributes:
-        place_m: Of the top's surface, world, shape (3,).
-        cost: How far it is from what is wished; smaller is better.
+        place_m: The point on the top, in the world, shape (3,).
+        cost: What speaks against it, such as its distance from where the object is wanted; smaller is
+            better, no unit.
     """
 
     place_m: Array

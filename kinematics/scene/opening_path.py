@@ -19,7 +19,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True, slots=True)
 class HandlePoint(Sealed):
-    """The handle at one opening.
+    """Where a handle is, and which way it goes, while its door or drawer is open by a certain amount.
 
     Attributes:
         position_m: Its bar's middle, shape (3,).
@@ -34,7 +34,10 @@ class HandlePoint(Sealed):
 
 
 class OpeningPath(Protocol):
-    """Where a handle goes."""
+    """The way of a handle as its door or drawer opens.
+
+    It is a function of the opening ``s``, which is 0 when shut: rad for a door, m for a drawer.
+    """
 
     @property
     def lever_m(self) -> float:
@@ -61,7 +64,7 @@ class OpeningPath(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class DoorArc(Sealed):
-    """A door's.
+    """The way of a door's handle: an arc about the hinge, in the odometry frame.
 
     Attributes:
         hinge_m: A point of the hinge's axis on the floor, shape (2,).
@@ -121,7 +124,7 @@ class DoorArc(Sealed):
 
 @dataclass(frozen=True, slots=True)
 class DrawerLine(Sealed):
-    """A drawer's.
+    """The way of a drawer's handle: a straight line, in the odometry frame.
 
     Attributes:
         closed_m: The bar's middle while closed, shape (3,).

@@ -45,7 +45,7 @@ class LegGeometry:
 
 
 class LegIk:
-    """The legs of a standing robot; a welded one has none.
+    """Inverse kinematics of the legs of a robot on planted soles; a welded robot has no legs to place.
 
     Raises:
         ModelError: A leg is not a chain of six hinges.

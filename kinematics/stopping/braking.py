@@ -51,12 +51,12 @@ begin within a control period."""
 
 @dataclass(frozen=True, slots=True)
 class Brake:
-    """A motion to rest along a path.
+    """A motion that comes to rest along the path that the robot was on.
 
     Attributes:
-        rows: One row a period, the last at rest.
-        steps: Whether the speeds leave a jerk limit where the path's own acceleration steps, for want of a
-            brake in time that does not.
+        rows: Configuration, velocity and acceleration at each period, the last at rest.
+        steps: Whether it passes a jerk limit where the acceleration of the path itself jumps, because no
+            brake that keeps the limit comes to rest in time.
     """
 
     rows: MotionSample

@@ -66,9 +66,10 @@ class CurveGrid:
 
 @dataclass(slots=True)
 class SpeedBounds:
-    """What bounds the speed along a curve; see ``fastest_rates``.
+    """What bounds the speed along a curve of n intervals, as ``fastest_rates`` takes it.
 
-    ``top`` and ``share`` shrink where the motion has to be slower.
+    ``top`` (greatest squared rate of the parameter at each grid point) and ``share`` (of the acceleration
+    limits, in each interval) are made smaller where the motion has to be slower.
     """
 
     step: Array

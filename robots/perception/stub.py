@@ -33,10 +33,11 @@ from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
-from robots.perception.stub_labels import told_labels
 from robots.perception.truth_view import TrueObject, TruthView
 from robots.scenes.articulated import PART_KINDS
+from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.scene_description import PerceptionModel
+from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
 # A plane is recognised from a small part of it; an object needs the declared share.
 _FURNITURE_MIN_VISIBLE = 0.04
@@ -321,3 +322,17 @@ def _resized(shape: Shape, scale: tuple[float, float, float]) -> Shape:
     if isinstance(shape, Cylinder):
         return Cylinder(shape.radius_m * scale[0], shape.height_m * scale[2])
     return Ball(shape.radius_m * scale[0])
+
+
+def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str] | None:
+    """The words that can be told, in lower case; None when any can.
+
+    Args:
+        called: What the things that could be seen are called: kinds, names and sorts.
+        declared: What the scene declares besides.
+    """
+    extra = {word.casefold() for word in declared}
+    if ANY_LABEL in extra:
+        return None
+    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called}
+    return frozenset(word.casefold() for word in known)

@@ -179,10 +179,10 @@ def imported_again(module: Module) -> list[str]:
 
 def around(module: Module) -> list[str]:
     """Surroundings that somebody puts together by hand: "the other table" would be another one to them."""
-    if module.name in ("trees.readings.around", "trees.beliefs.scene.believed_thing"):
+    if module.name in ("trees.readings.odometry", "trees.beliefs.scene.believed_thing"):
         return []
     return [
-        f"{module.file}:{line}: trees.readings.around tells what is around the robot"
+        f"{module.file}:{line}: trees.readings.odometry tells what is around the robot"
         for line, name in module.imports()
         if name == "trees.beliefs.scene.believed_thing.surroundings"
     ]
@@ -352,7 +352,7 @@ ALLOWED = [
     (judge, "from kinematics.distance.separation import core_distance", "kinematics/checking/certificate.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/gate/setpoint_gate.py"),
     (around, "from trees.beliefs.scene.believed_thing import Surroundings", "trees/leaves/example.py"),
-    (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/readings/around.py"),
+    (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/readings/odometry.py"),
     (figures, "def f(failure):\n    return list(failure.numbers.items())", "executive/example.py"),
     (figures, "from trees.failures import Number\nnumbers = {}\nnumbers['held'] = 1", "trees/example.py"),
     (figures, "def f(numbers, name):\n    return numbers[name]", "kinematics/example.py"),

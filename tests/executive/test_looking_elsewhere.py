@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from executive.errands.errand import Errand
-from executive.errands.unsaid_steps import Known
+from executive.errands.prepared import Known
 from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse

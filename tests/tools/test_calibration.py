@@ -13,7 +13,7 @@ from tools.calibration.fit import fitted
 from tools.calibration.quick_robot import QuickRobot
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
-from trees.skills.telling.stated_confidence import calibrated, log_odds
+from trees.skills.telling.telling_leaf import calibrated, log_odds
 from trees.tasks import CountTask, ObjectDescription
 
 

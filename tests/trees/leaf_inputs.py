@@ -18,19 +18,19 @@ from trees.beliefs.grounding.destination import Place
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
-from trees.skills.carrying.ask_for_swap import AskForSwap
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.handle.approach_handle import ApproachHandle
 from trees.skills.doors.handle.grasp_handle import GraspHandle
 from trees.skills.doors.handle.held_handle import HeldHandle
 from trees.skills.doors.handle.lead_handle import LeadHandle
 from trees.skills.doors.handle.touch_front import TouchFront
+from trees.skills.doors.handle_standing import WalkToHandle
 from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
-from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.gestures.turn_to import TurnTo
+from trees.skills.place.swap_hands import AskForSwap
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.telling.tell_found import TellFound

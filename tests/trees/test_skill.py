@@ -4,11 +4,21 @@ from dataclasses import dataclass
 
 import pytest
 
+from trees import registry
 from trees import skills as folders
 from trees.build import NoSkillError, build_tree
-from trees.registry import skill_called, skill_of, skills
-from trees.skill import Skill, as_answered, as_asked
-from trees.tasks import ObjectDescription, PickTask, SayTask, WaitTask
+from trees.registry import skill_called, skill_of, skills, task_that
+from trees.skill import After, Skill, as_answered, as_asked
+from trees.tasks import (
+    WHERE_IT_WAS,
+    GoHomeTask,
+    HandOverTask,
+    ObjectDescription,
+    PickTask,
+    PlaceTask,
+    SayTask,
+    WaitTask,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,3 +100,31 @@ def test_a_skill_that_answers_claims_what_it_said():
 def test_a_wait_lasts_as_long_as_was_said():
     assert skill_called("wait").lasts_s(WaitTask("wait", 600.0)) == 600.0
     assert skill_called("say").lasts_s(SayTask("say", "hello")) == 0.0
+
+
+CUP = ObjectDescription("cup")
+
+
+def test_what_another_skill_needs_is_brought_about_by_the_task_of_the_skill_that_says_so():
+    assert task_that(After.THING_HELD, "pick up the cup", object=CUP) == PickTask("pick up the cup", CUP)
+
+
+def test_what_no_skill_brings_about_is_a_defect_of_the_program(monkeypatch):
+    monkeypatch.setattr(registry, "built_in", lambda: {"bow_low": BOW})
+
+    with pytest.raises(LookupError, match="no skill of this robot brings about that its ``object`` is in a"):
+        task_that(After.THING_HELD, "pick up the cup", object=CUP)
+
+
+@pytest.mark.parametrize(
+    ("task", "goal"),
+    [
+        (HandOverTask("give it to Ana", CUP, "Ana"), "Ana"),
+        (SayTask("tell Ana", "hello", "Ana"), "Ana"),
+        (PlaceTask("put it on the table", CUP, on="table", to="kitchen"), "table"),
+        (PlaceTask("put it back", CUP, on="table", to=WHERE_IT_WAS), WHERE_IT_WAS),
+        (GoHomeTask("go home"), None),
+    ],
+)
+def test_the_goal_of_a_task_is_where_its_thing_goes_or_whom_it_is_for(task, goal):
+    assert skill_of(task).goal(task) == goal

@@ -4,7 +4,7 @@ from py_trees.composites import Sequence
 
 from trees.events import NodeChanged
 from trees.failures import FailureKind
-from trees.nodes.failure_chain import place_of
+from trees.nodes.judgements import place_of
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.snapshot_of import status_word
 from trees.task_tree import TaskTree

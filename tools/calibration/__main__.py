@@ -20,7 +20,7 @@ from tools.calibration.fit import fitted
 from tools.calibration.reliability import expected_error, reliability
 from tools.calibration.reliability_plot import as_svg
 from trees.skills.telling.settings import TellingSettings
-from trees.skills.telling.stated_confidence import calibrated
+from trees.skills.telling.telling_leaf import calibrated
 
 NOISES = {
     "declared": PerceptionModel(),

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from tools.calibration.answers import Answer
-from trees.skills.telling.stated_confidence import log_odds
+from trees.skills.telling.telling_leaf import log_odds
 
 _STEPS = 100
 _RIDGE = 1.0

@@ -24,7 +24,7 @@ from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_description import SceneDescription
-from robots.seeded import seeded
+from robots.seeded import Seeded
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import build_tree
 from trees.task_tree import TaskTree
@@ -61,7 +61,7 @@ class QuickRobot:
     """
 
     def __init__(self, model: RobotModel, scene: SceneDescription, seed: int) -> None:
-        chance = seeded(seed)
+        chance = Seeded.by(seed)
         hardware = load_robot(model.description.name).hardware
         self.world: SimulatedWorld = build_world(RobotData(model.description, hardware), scene, chance.world)
         checker = TrajectoryChecker(model)

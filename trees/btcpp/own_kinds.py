@@ -19,9 +19,9 @@ from trees.nodes.deadline import Deadline
 from trees.nodes.judgements import always_worth_trying, defect
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted, OnlyAfter, UnlessHeld
-from trees.skills.gestures.if_beside import IfBeside
-from trees.skills.home.if_nothing_is_known import IfNothingIsKnown
-from trees.skills.looking.unless_seen import UnlessSeen
+from trees.skills.gestures.turn_to import IfBeside
+from trees.skills.home.tree import IfNothingIsKnown
+from trees.skills.looking.look_along_way import UnlessSeen
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]

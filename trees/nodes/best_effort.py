@@ -6,8 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from trees.nodes.failure_chain import failure_of
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import defect, failure_of
 
 
 class BestEffort(Decorator):

@@ -9,7 +9,7 @@ from py_trees.common import Status
 from py_trees.composites import Composite
 
 from trees.failures import Failure
-from trees.nodes.failure_chain import failure_of
+from trees.nodes.judgements import failure_of
 
 
 class CleanUp(Composite):

@@ -8,7 +8,7 @@ from py_trees.decorators import Decorator
 
 from robots.clock import Clock
 from trees.failures import Failure
-from trees.nodes.failure_chain import failure_of, place_of
+from trees.nodes.judgements import failure_of, place_of
 from trees.toolbox import Pauses
 
 

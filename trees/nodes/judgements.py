@@ -1,4 +1,4 @@
-"""Judgements: what control nodes ask of a failure, under names that stored trees call them by.
+"""What control nodes ask: why a node failed, and judgements of that failure.
 
 "No other way helps", "tidying up helps": such a question is a function of the failure, declared with
 ``@judgement`` where it belongs, and is known in stored trees by the function's name, whatever module that
@@ -15,6 +15,7 @@ from functools import cached_property
 from typing import Any, Generic, ParamSpec
 
 from py_trees.behaviour import Behaviour
+from py_trees.common import Status
 
 from trees.failures import Failure, FailureKind
 
@@ -111,3 +112,32 @@ def no_other_attempt_helps(failure: Failure, before: Failure | None) -> bool:
     """A defect, a question, or the planner's second no in a row: it has been asked anew in between."""
     twice = before is not None and before.kind is failure.kind is FailureKind.INFEASIBLE
     return defect(failure) or bool(failure.choices) or twice
+
+
+def failure_of(node: Behaviour) -> Failure | None:
+    """Why a node failed: its own failure, or that of the child that failed it."""
+    own = getattr(node, "failure", None)
+    if isinstance(own, Failure):
+        return own
+    failed = [child for child in node.children if child.status is Status.FAILURE]
+    return failure_of(failed[-1]) if failed else None
+
+
+def place_of(node: Behaviour) -> str:
+    """Names from the root down to a node, joined by "/"; nodes that only structure are left out."""
+    names = [node.name]
+    above = node.parent
+    while above is not None:
+        if above.parent is None or not getattr(above, "transparent", False):
+            names.append(above.name)
+        above = above.parent
+    return "/".join(reversed(names))
+
+
+def followed_by(failure: Failure, earlier: Failure | None) -> Failure:
+    """Append an earlier failure at the end of a failure's chain of causes."""
+    if earlier is None:
+        return failure
+    if failure.cause is None:
+        return failure.caused_by(earlier)
+    return failure.caused_by(followed_by(failure.cause, earlier))

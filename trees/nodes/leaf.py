@@ -15,7 +15,7 @@ from py_trees.ports import NoDataAvailable, PortInformation
 from trees.events import LeafFailed, Measured, NotSo
 from trees.failures import Failure, FailureKind, Number
 from trees.nodes.contract import Contract
-from trees.nodes.failure_chain import place_of
+from trees.nodes.judgements import place_of
 from trees.nodes.leaf_settings import settings_of
 from trees.nodes.ports import WithPorts
 from trees.toolbox import Toolbox
@@ -211,3 +211,19 @@ def from_exception(error: Exception, cause: Failure | None = None) -> Failure:
     return Failure.error(
         f"{type(error).__name__}: {what}", cause, exception=type(error).__name__, raised_at=raised_at
     )
+
+
+def rewired(tree: Behaviour, keys: Mapping[str, str]) -> Behaviour:
+    """Connect ports of every leaf of a subtree to other keys, where it has them under their own names.
+
+    Args:
+        tree: Made, and not wired yet.
+        keys: Port name to key.
+    """
+    for node in tree.iterate():
+        if isinstance(node, Leaf):
+            ports = {*node.INPUT_PORTS, *node.OUTPUT_PORTS}
+            for port, key in keys.items():
+                if port in ports and port not in node.wiring:
+                    node.wiring[port] = key
+    return tree

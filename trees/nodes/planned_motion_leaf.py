@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
@@ -14,7 +16,7 @@ from trees.nodes.arrival import arrival
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.motion_leaf import motion_failure
 from trees.nodes.plan_failures import no_plan_failure, unsafe_failure, why_stale
-from trees.toolbox import Job
+from trees.toolbox import Job, Toolbox
 
 
 class PlannedMotionLeaf(Leaf):
@@ -125,3 +127,26 @@ class PlannedMotionLeaf(Leaf):
             raise RuntimeError(f"{self.name} moves without a checked trajectory")
         self.feedback_message = "arrived"
         return arrival(self, self._checked, self._arrived_by_s)
+
+
+def move_from_here(
+    toolbox: Toolbox,
+    joints: Mapping[str, float] | None = None,
+    keep_others: bool = False,
+    pelvis_m: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> MoveRequest:
+    """Ask for a move from the posture that is commanded, amid what is believed.
+
+    Args:
+        toolbox: Knows both, and deals the seed.
+        joints, keep_others, pelvis_m: As for ``MoveRequest``.
+    """
+    return MoveRequest(
+        q_start=toolbox.motion.reference(),
+        stance=toolbox.motion.stance(),
+        scene=toolbox.world.scene,
+        joints=joints or {},
+        keep_others=keep_others,
+        pelvis_m=pelvis_m,
+        seed=int(toolbox.rng.integers(2**31)),
+    )

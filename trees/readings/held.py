@@ -1,8 +1,8 @@
-"""What a hand holds, as the world model has it."""
+"""What the hands hold, as the world model has it, and which of them are free."""
 
 from __future__ import annotations
 
-from kinematics.model.robot_description import Hand
+from kinematics.model.robot_description import HANDS, Hand
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Reason
 from trees.tasks import Thing
@@ -56,3 +56,20 @@ def lost(toolbox: Toolbox, held: HeldObject) -> Failure:
         f"the {held.name} slipped out of the {held.hand} hand, or was taken out of it",
         opening_m=toolbox.grippers[held.hand].reading().opening_m,
     ).because(Reason.SLIPPED)
+
+
+def free_hands(toolbox: Toolbox, named: Hand | None) -> tuple[Hand, ...] | Failure:
+    """Hands that hold nothing, or the named one if it does not.
+
+    Args:
+        toolbox: Knows what is held.
+        named: The hand that the task asks for, or None.
+    """
+    frames = toolbox.model.description.tcp_frames
+    carrying = {body.frame: name for name, body in toolbox.world.scene.attached.items()}
+    wanted = HANDS if named is None else (named,)
+    free = tuple(hand for hand in wanted if frames[hand] not in carrying)
+    if free:
+        return free
+    held = " and ".join(f"the {hand} hand holds the {carrying[frames[hand]]}" for hand in wanted)
+    return Failure.infeasible(f"no hand is free: {held}")

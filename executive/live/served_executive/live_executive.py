@@ -43,7 +43,7 @@ from robots.live.wire.unix_socket import UnixSocket
 from robots.perception.place_map import place_map
 from robots.scenes.scene_description import Region
 from robots.scenes.scene_file import load_scene
-from robots.seeded import seeded
+from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.failures import Failure
 from trees.world_model import WorldModel
@@ -91,7 +91,7 @@ class LiveExecutive:
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
-        chance = seeded(int(link.about["seed"]))
+        chance = Seeded.by(int(link.about["seed"]))
         served = ControlledRobot(
             model=model,
             clock=LiveClock(link),

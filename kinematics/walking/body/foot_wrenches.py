@@ -43,11 +43,11 @@ class SoleWrench:
 
 @dataclass(frozen=True, slots=True)
 class Wrenches:
-    """All of them, with what they achieve.
+    """The wrenches of the floor on all soles at one instant, and what they achieve together.
 
     Attributes:
-        soles: By foot; only those that carry.
-        zmp: Where the ZMP will be, m.
+        soles: The wrench on each sole that carries, by foot.
+        zmp: Where the ZMP is under these wrenches, on the floor in the plan's frame, m.
     """
 
     soles: Mapping[Hand, SoleWrench]

@@ -28,13 +28,15 @@ class LeggedSettings:
 
     Attributes:
         sole_time_s: The tilt returns to that of flat soles with this time constant.
-        sole_rate_rad_s: But no faster than this: more than a gyro's error of 0.5 degrees per second, and
-            so little that a sole that stands tilted on an edge for a step turns it by 6 mrad, not by 70.
+        sole_rate_rad_s: It returns no faster than this, which is more than a gyro's error of 0.5 degrees per
+            second, and so little that a sole that stands tilted on an edge for a step turns it by 6 mrad,
+            not by 70.
         sole_yaw_time_s: The heading returns to that of the standing foot with this one: slowly, for
             soles twist a little under turns and a gyro without bias does not.
         gravity_time_s: The tilt returns to the accelerometer's with this one.
         velocity_time_s: The velocity returns to what carrying soles say with this time constant.
-        velocity_most_m_s: And they are believed so far beside the accelerometer.
+        velocity_most_m_s: A difference of the two counts as no more than this: a sole that rocks on an edge
+            is not at rest.
         carrying_force_n: A sole with less normal force than this carries nothing.
         shift_share: Another foot becomes the one to rely on with this share of the load.
     """
@@ -51,12 +53,12 @@ class LeggedSettings:
 
 @dataclass(frozen=True, slots=True)
 class ComEstimate:
-    """The CoM as one sole sees it.
+    """The CoM seen from one sole.
 
     Attributes:
         position_m: From the sole's origin, along the sole's heading, its left, and up, shape (3,).
-        velocity_m_s: The same of its velocity over the floor, shape (3,).
-        heading_rad: The base's, seen from the sole.
+        velocity_m_s: Its velocity over the floor, along the same axes, shape (3,).
+        heading_rad: Heading of the base, seen from the sole.
     """
 
     position_m: Array

@@ -16,11 +16,11 @@ from kinematics.walking.body.foot_wrenches import SoleWrench
 
 
 class WalkingDynamics:
-    """Inverse dynamics less what the floor gives.
+    """Joint efforts of a walking robot: those of the motion, less those that the floor takes over.
 
-    Its result is that of the reference motion; the wrenches are those that the stabiliser wants, so the
-    difference between the two is what brings the robot back. Inertia counts: without it the feet overshoot
-    by a fifth.
+    The motion is the reference; the wrenches on the soles are those that the stabiliser wants. What the two
+    differ by is what brings the robot back to the reference. Inertia counts: without it the feet
+    overshoot by a fifth.
     """
 
     def __init__(self, model: RobotModel) -> None:

@@ -12,10 +12,10 @@ from kinematics.walking.pattern.dcm import Cubic, Point, ZmpStretch, particular,
 
 @dataclass(frozen=True, slots=True)
 class ComSample:
-    """One instant.
+    """The CoM at one instant of a walk.
 
     Attributes:
-        com, dcm: On the floor, m.
+        com, dcm: Centre of mass and divergent component of motion, on the floor, m.
         pivot: What the CoM is accelerated away from: ``c'' = w^2 (c - pivot)``.
         zmp: Where the floor presses; the swinging leg is the difference (``kinematics.walking.pattern.dcm``).
     """
@@ -30,7 +30,7 @@ class ComMotion(Protocol):
     """A closed form of the CoM's motion.
 
     Attributes:
-        duration_s: It is meant for this long.
+        duration_s: How long it goes on.
     """
 
     duration_s: float

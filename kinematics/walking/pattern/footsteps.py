@@ -21,13 +21,13 @@ _CLOSED_RAD = 0.012
 
 @dataclass(frozen=True, slots=True)
 class Footstep:
-    """One landing.
+    """One landing of a foot.
 
     Attributes:
         side: Which foot.
         pose: Where its sole lands, in the plan's frame.
-        advance: How far the body goes with it.
-        body: Where the body is then.
+        advance: How far the body goes with this step, in its own frame before it.
+        body: Where the body is after it, in the plan's frame.
     """
 
     side: Hand

@@ -12,7 +12,7 @@ from kinematics.walking.pattern.com_motion import ComSample
 
 
 class Phase(Enum):
-    """What the feet do."""
+    """What the feet of a walking robot do at an instant."""
 
     SHIFT = "shift"
     SWING = "swing"
@@ -24,14 +24,14 @@ class Phase(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PatternSample:
-    """One instant, in the plan's frame.
+    """A walk at one instant, in the plan's frame.
 
     Attributes:
         com: CoM, DCM and ZMP.
-        feet: Each sole's place.
+        feet: Place and heading of each sole.
         lift_m: Height of each sole.
         carrying: The feet that carry.
-        phase: What they do.
+        phase: What the feet do.
     """
 
     com: ComSample

@@ -10,7 +10,7 @@ from kinematics.walking.pattern.dcm import Point
 
 
 class SolePoints:
-    """A robot's soles, for feet that stand somewhere."""
+    """The corners of a robot's soles on the floor, wherever its feet stand."""
 
     def __init__(self, soles: Mapping[Hand, SoleDescription], rest_m: Point) -> None:
         """Take them.

@@ -57,7 +57,7 @@ def foreseen(steering: Steering, body: PlanarPose) -> list[PlanarPose]:
 
 
 class Halt:
-    """Go nowhere."""
+    """The steering of a robot that shall stand: it goes nowhere."""
 
     def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:  # noqa: ARG002
         """Stop."""

@@ -20,12 +20,12 @@ _THERE_M = 0.06
 
 @dataclass(frozen=True, slots=True)
 class SteppingOn:
-    """Go to a place in as long steps as there are, then on as somebody wants.
+    """Go to a place by the longest steps that the robot makes, then go on by another steering.
 
     Attributes:
         settings: The robot's.
-        goal: Of the body, in the odometry frame.
-        then: What follows there.
+        goal: Where the body is to get, in the odometry frame.
+        then: The steering that takes over there.
     """
 
     settings: WalkingSettings

@@ -14,7 +14,7 @@ from kinematics.walking.pattern.swing import Swing
 
 
 class ZmpRoute:
-    """From one foot to the next, and to rest between both after the last landing."""
+    """Plans where the ZMP goes: from one foot to the next, and between both after the last landing."""
 
     def __init__(self, settings: WalkingSettings, points: SolePoints, omega: float, sway_s2: float) -> None:
         """Take what stays.

@@ -48,11 +48,11 @@ class Way:
 
 @dataclass(frozen=True, slots=True)
 class NoWay:
-    """There is none.
+    """The answer that no way leads to a goal.
 
     Attributes:
         for_hands: Whether there is one for the body, and it is the hands that have no room on it.
-        clearance_m: The least that was tried.
+        clearance_m: The smallest clearance that a way was looked for with.
     """
 
     for_hands: bool
@@ -69,7 +69,8 @@ class WayFinder:
         scene: What is believed.
         points: What was seen, and belongs to nothing in the scene, shape (n, 2).
         straight_m: How long the last stretch is straight ahead, where there is room for that.
-        if_hands_fit: Find none where a hand comes to something, if the arms can be drawn in.
+        if_hands_fit: Take no way on which a hand meets something, if the arms can be drawn in: that is done
+            first then.
     """
 
     settings: WalkingSettings

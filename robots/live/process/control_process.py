@@ -41,7 +41,7 @@ from robots.live.wire.state_slot import StateSlotWriter
 from robots.models.description import load_robot_for_tasks
 from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_file import load_scene
-from robots.seeded import seeded
+from robots.seeded import Seeded
 from robots.simulated.world import SimulatedWorld, build_world
 
 PUBLISH_EVERY = 5
@@ -95,7 +95,7 @@ class ControlProcess:
         description = robot.description
         scene = load_scene(options.scene)
         self._checker = ChildProcess("robots.live.process.admission_process", [options.robot])
-        chance = seeded(options.seed)
+        chance = Seeded.by(options.seed)
         model = RobotModel(description)
         self._clock = ManualClock()
         self._world: SimulatedWorld = build_world(robot, scene, chance.world)

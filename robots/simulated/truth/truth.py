@@ -16,9 +16,8 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture
-from robots.scenes.object_names import told_names
 from robots.scenes.person_solid import person_solid
-from robots.scenes.scene_description import Person, SceneItem
+from robots.scenes.scene_description import Person, SceneItem, told_names
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP, in_simulator
 from robots.simulated.body.physics import Physics

@@ -4,8 +4,9 @@ from dataclasses import dataclass
 
 import pytest
 
+from executive.errands.prepared import Known
 from executive.errands.required import with_names
-from executive.errands.unsaid_steps import Known, prepared
+from executive.errands.unsaid_steps import prepared
 from trees import registry
 from trees.skill import Before, Skill
 from trees.skills import built_in

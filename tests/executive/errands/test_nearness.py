@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from executive.errands.nearness import Nearness, is_away, is_near, leads_away
+from executive.errands.nearness import Nearness, is_away, is_near
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.scene.believed_thing import surroundings
-from trees.tasks import MoveTask, ObjectDescription, Relation
+from trees.tasks import ObjectDescription, Relation
 
 CUP = ObjectDescription("cup", "red")
 TABLE = ObjectDescription("table")
@@ -61,20 +61,3 @@ def test_who_stands_before_the_table_need_not_walk_to_it():
 )
 def test_a_robot_that_turned_or_went_has_left(x_m, yaw_rad, away):
     assert is_away(PlanarPose(x_m, 0.1, yaw_rad)) == away
-
-
-@pytest.mark.parametrize(
-    ("move", "leads"),
-    [
-        (MoveTask("turn around", 0.0, 0.5, 6.28), True),
-        (MoveTask("turn right a little", 0.0, -0.5, 0.6), False),
-        (MoveTask("step back", -0.3, 0.0, 1.0), False),
-        (MoveTask("go back", -0.3, 0.0, 4.0), True),
-        (MoveTask("two steps", 0.3, 0.0, None, 0.4), False),
-        (MoveTask("a metre ahead", 0.3, 0.0, None, 1.0), True),
-        (MoveTask("turn left", 0.0, 0.5), True),
-        (MoveTask("stand", 0.0, 0.0), False),
-    ],
-)
-def test_a_velocity_that_turns_or_goes_far_leads_away(move, leads):
-    assert leads_away(move) == leads

@@ -32,9 +32,9 @@ from trees.nodes.judgements import (
 from trees.skills import built_in
 from trees.skills.doors.close import handle_is_no_help
 from trees.skills.doors.find_handle import can_walk
-from trees.skills.doors.leave_handle import leave_handle
+from trees.skills.doors.handle.step_back import leave_handle
 from trees.skills.doors.open import moving_it_again_is_useless, what_was_seen_decides
-from trees.skills.place.where_it_goes import cannot_go_there
+from trees.skills.place.know_destination import cannot_go_there
 from trees.skills.put_in.put_behind_door import put_behind_door
 from trees.skills.telling.tree import find_several
 
@@ -121,7 +121,7 @@ def test_a_name_that_two_leaves_have_is_not_overlooked(probe_leaf, monkeypatch):
         ("trees.skills.doors.open:hopeless", JUDGES_ATTEMPTS, moving_it_again_is_useless),
         ("trees.subtrees.open:tidying_helps", JUDGES, tidying_helps),
         ("trees.subtrees.pick:_tidying_helps", JUDGES, tidying_helps),
-        ("trees.skills.tidily:_tidying_helps", JUDGES, tidying_helps),
+        ("trees.leaves.go_home:_tidying_helps", JUDGES, tidying_helps),
         ("trees.subtrees.have_it:_cannot_go_there", JUDGES, cannot_go_there),
         ("trees.subtrees.close:_handle_is_no_help", JUDGES, handle_is_no_help),
         ("trees.subtrees.seen_from_elsewhere:_can_walk", JUDGES_WAYS, can_walk),

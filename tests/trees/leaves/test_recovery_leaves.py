@@ -9,8 +9,8 @@ from trees.leaves.go_home import GoHome
 from trees.leaves.release import Release
 from trees.skills.pick.attach import Attach
 from trees.skills.pick.back_out import BackOut
-from trees.skills.pick.forget_target import ForgetTarget
 from trees.skills.pick.put_back import PutBack
+from trees.skills.pick.recover import ForgetTarget
 
 
 def attach(stage, planned, target):

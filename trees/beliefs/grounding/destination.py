@@ -1,4 +1,4 @@
-"""What a task is aimed at: an object, a piece of furniture or a person, as it was last seen."""
+"""What a task is aimed at: a thing, furniture, a person, as it was last seen, or a place of the map."""
 
 from __future__ import annotations
 
@@ -12,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Sealed
+from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
-from kinematics.geometry.shapes import Shape
+from kinematics.geometry.shapes import Box, Shape
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.detector import Category
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.furniture_names import kind_called
+from robots.scenes.scene_description import Region
+from trees.beliefs.grounding.choice_words import from_the_left
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import (
     Ambiguous,
@@ -30,7 +33,6 @@ from trees.beliefs.grounding.grounding import (
     says_which,
 )
 from trees.beliefs.grounding.names_of_things import may_name_a
-from trees.beliefs.grounding.people import compares_people, person_meant
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
@@ -245,3 +247,51 @@ def words_of(wanted: Destination | None) -> str:
     if wanted is None or wanted in _ANYBODY:
         return "person"
     return str(wanted)
+
+
+def compares_people(wanted: ObjectDescription, somebody: bool = False) -> bool:
+    """Whether it says more of a person than that it is one: who was seen first is not taken for them then.
+
+    Args:
+        wanted: A description.
+        somebody: Whether a person is meant, whatever the words are.
+    """
+    if wanted.name or not (somebody or wanted.kind == PERSON):
+        return False
+    said = (wanted.ordinal, wanted.relation, wanted.size, wanted.color, wanted.material)
+    return wanted.kind != PERSON or bool(wanted.traits) or any(one is not None for one in said)
+
+
+def person_meant(wanted: ObjectDescription, around: Surroundings) -> Grounding:
+    """Find somebody by order and place; what cannot be seen of people leads to a question.
+
+    Args:
+        wanted: A description of somebody: "the person on the left", "the guest".
+        around: What is believed to be around.
+    """
+    people = tuple(thing for thing in around.things if thing.is_person)
+    if not people:
+        return Missing(f"no {wanted} seen")
+    if wanted.kind == PERSON and wanted.color is None:
+        return ground(wanted, around, among=people)
+    choices = tuple(Choice(thing.name, thing.name) for thing in from_the_left(people))
+    return Ambiguous(f"which one is the {wanted}? that cannot be seen of people", choices)
+
+
+START = "start"
+"""What a task calls the place where the robot began."""
+_HEIGHT_M = 2.0
+_SPOT_M = 0.1
+
+
+def place_of_region(name: str, region: Region) -> Place:
+    """A region as a place, certain as the map is."""
+    pose = PlanarPose(*region.position_m, region.yaw_rad).transform(0.5 * _HEIGHT_M)
+    return Place(name, "region", Box((*region.size_m, _HEIGHT_M)), pose, 1.0)
+
+
+def start() -> Place:
+    """Where the robot began and how it stood there: the origin of its odometry."""
+    return Place(
+        START, "region", Box((_SPOT_M, _SPOT_M, _HEIGHT_M)), PlanarPose().transform(0.5 * _HEIGHT_M), 1.0
+    )

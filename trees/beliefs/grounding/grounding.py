@@ -21,9 +21,8 @@ from trees.beliefs.grounding.spatial_relation import between_m, lies, lies_from_
 from trees.beliefs.grounding.things_called import things_called
 from trees.beliefs.grounding.unmatched import NoneFitsError, UntellableError
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
-from trees.beliefs.scene.called import CalledBy, called_by
 from trees.beliefs.scene.furniture_pieces import belong_together
-from trees.beliefs.scene.labels import label_in
+from trees.beliefs.scene.labels import CalledBy, called_by, label_in
 from trees.tasks import Count, Destination, ObjectDescription, ObjectOf, Relation
 
 _BEFORE_M = 1.0

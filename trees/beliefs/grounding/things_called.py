@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from trees.beliefs.grounding.unmatched import NoneFitsError, UntellableError
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
-from trees.beliefs.scene.called import CalledBy, called_by
 from trees.beliefs.scene.held_object import is_like
+from trees.beliefs.scene.labels import CalledBy, called_by
 from trees.beliefs.scene.scene_update import kind_of
 from trees.tasks import ObjectDescription
 

@@ -19,7 +19,7 @@ from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
-from trees.beliefs.scene.gap_to_furniture import gap_to_solid_m
+from trees.beliefs.scene.furniture_pieces import gap_to_solid_m
 from trees.beliefs.scene.scene_update import kind_of
 
 INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)

@@ -10,8 +10,7 @@ from kinematics.geometry.shapes import Shape
 from kinematics.model.robot_description import Hand
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import SceneObject
-from trees.beliefs.scene.called import CalledBy, called_by
-from trees.beliefs.scene.labels import label_in, label_of
+from trees.beliefs.scene.labels import CalledBy, called_by, label_in, label_of
 from trees.tasks import ObjectDescription, Thing
 
 

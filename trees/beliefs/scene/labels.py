@@ -1,6 +1,9 @@
-"""What the things of a planning scene are called."""
+"""What the things of a planning scene are called, and which words may mean them."""
 
 from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from enum import IntEnum
 
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -30,3 +33,73 @@ def label_named(name: str, scene: PlanningScene) -> Label:
         return label_of(scene.attached[name].body)
     item = scene.objects.get(name)
     return label_in(name) if item is None else label_of(item)
+
+
+class CalledBy(IntEnum):
+    """By what a word means a thing; the less, the more surely.
+
+    Attributes:
+        NAME: By a name of its own: "tomato soup", "tomato soup can".
+        KIND: By its kind, or the last word of its name: "can", "soup".
+        CATEGORY: By what sort of thing it is: "food".
+        HEAD: By the last words alone of what was said, which said more: "can" of "paint can". Only a person
+            knows whether that one is meant.
+    """
+
+    NAME = 0
+    KIND = 1
+    CATEGORY = 2
+    HEAD = 3
+
+
+def called_by(said: str | None, label: Label) -> CalledBy | None:
+    """By what somebody means a thing of that label; None if not at all.
+
+    Args:
+        said: A noun phrase without article, colour or size; None means anything.
+        label: What the thing is called.
+    """
+    if said is None or said == label.kind:  # mostly
+        return CalledBy.KIND
+    words, kind = plain(said), plain(label.kind)
+    names, categories = tuple(map(plain, label.names)), tuple(map(plain, label.categories))
+    if words in names or _is_joined(words, names, (kind, *categories)):
+        return CalledBy.NAME
+    if words == kind or any(_ends(name, words) for name in names) or _is_joined(words, categories, (kind,)):
+        return CalledBy.KIND
+    if words in categories:
+        return CalledBy.CATEGORY
+    heads = (kind, *names, *categories)
+    return CalledBy.HEAD if any(_ends(words, head) for head in heads) else None
+
+
+def can_be_told(said: str, labels: Collection[str]) -> bool:
+    """Whether something that is called so could be found by a detector that tells some words.
+
+    Args:
+        said: A noun phrase, as for ``called_by``.
+        labels: The words, in lower case.
+    """
+    words = plain(said)
+    heads = {" ".join(tail) for tail in _tails(words.split())}
+    return any(label in heads or _ends(label, words) for label in map(plain, labels))
+
+
+def plain(words: str) -> str:
+    """Words as they are compared: in lower case, hyphens as spaces."""
+    return " ".join(words.casefold().replace("-", " ").replace("_", " ").split())
+
+
+def _tails(words: list[str]) -> Iterator[list[str]]:
+    for first in range(len(words)):
+        yield words[first:]
+
+
+def _ends(phrase: str, head: str) -> bool:
+    """Whether a phrase says the head and more before it."""
+    return phrase.endswith(f" {head}")
+
+
+def _is_joined(words: str, firsts: Collection[str], seconds: Collection[str]) -> bool:
+    """Whether words are one of the first and one of the second, in this order: "tomato soup" and "can"."""
+    return any(words == f"{first} {second}" for first in firsts for second in seconds)

@@ -10,8 +10,10 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
-from trees.readings.free_hand import free_hands
-from trees.tasks import Destination, ObjectDescription, PickTask, PlaceTask, PutInTask
+from trees.readings.held import free_hands
+from trees.registry import skill_of, task_that
+from trees.skill import After, Before
+from trees.tasks import Destination, ObjectDescription, Task
 
 
 class AskForPick(Leaf):
@@ -21,7 +23,7 @@ class AskForPick(Leaf):
     """
 
     INPUT_PORTS = ports(task=object, held=optional(HeldObject))
-    OUTPUT_PORTS = ports(pick_task=PickTask, besides=object)
+    OUTPUT_PORTS = ports(pick_task=object, besides=object)
     CONTRACT = Contract(
         precondition="a hand is free",
         postcondition="the pick is described, and what is not meant by it",
@@ -34,7 +36,8 @@ class AskForPick(Leaf):
         lost: HeldObject | None = self.optional("held")
         if lost is not None:
             like_it = ObjectDescription(lost.kind, lost.color)
-            self._set_output("pick_task", PickTask(task.text, like_it, None, task.hand))
+            again = task_that(After.THING_HELD, task.text, object=like_it, hand=task.hand)
+            self._set_output("pick_task", again)
             return DONE
         if task.object is None:
             return Failure.postcondition("nothing is in a hand, and nothing was named")
@@ -43,8 +46,8 @@ class AskForPick(Leaf):
             return free
         if task.count != 1 and (held_already := self._held(task.object)):
             return Failure.infeasible(f"the {held_already} is in the hand already: put it down or away first")
-        source = getattr(task, "source", None)
-        self._set_output("pick_task", PickTask(task.text, task.object, source, task.hand, task.count))
+        slots = {slot: getattr(task, slot, None) for slot in ("object", "source", "hand")}
+        self._set_output("pick_task", task_that(After.THING_HELD, task.text, count=task.count, **slots))
         self._set_output("besides", _goes_to(task))
         return DONE
 
@@ -56,9 +59,11 @@ class AskForPick(Leaf):
         return next((kind_of(name) for name in sorted(attached) if fits(attached[name].body, wanted)), "")
 
 
-def _goes_to(task: object) -> Destination | None:
+def _goes_to(task: Task) -> Destination | None:
     """The thing that others are put into or next to: it is not one of them."""
     to: Destination | None = getattr(task, "to", None)
     if isinstance(to, ObjectDescription) and to.relation is not None and to.kind is None:
         return to.relation.to
-    return to if isinstance(task, PlaceTask | PutInTask) else None
+    skill = skill_of(task)
+    is_put = skill is not None and not skill.before.isdisjoint({Before.AT_SURFACE, Before.GOAL_OPEN})
+    return to if is_put else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Need, Skill
+from trees.skill import After, Need, Skill, Written
 from trees.tasks import CloseTask, OpenTask
 
 if TYPE_CHECKING:
@@ -25,9 +25,33 @@ def _close(_task: CloseTask, toolbox: Toolbox) -> Behaviour:
     return close(toolbox)
 
 
+def _about(written: Written) -> str | None:
+    """The drawer, or what the door belongs to."""
+    from robots.scenes.articulated import DRAWER
+    from trees.beliefs.openings.handles import BODY_OF
+
+    handle = written("handle")
+    if handle is None:
+        return None
+    return str(handle.part) if handle.kind == DRAWER else BODY_OF[handle.kind]
+
+
 SKILLS = (
-    Skill(task=OpenTask, tree=_open, example="open the fridge", needs=frozenset({Need.HAND}), goes_away=True),
     Skill(
-        task=CloseTask, tree=_close, example="close the drawer", needs=frozenset({Need.HAND}), goes_away=True
+        task=OpenTask,
+        tree=_open,
+        example="open the fridge",
+        needs=frozenset({Need.HAND}),
+        after=frozenset({After.THING_OPEN}),
+        about=_about,
+        goes_away=True,
+    ),
+    Skill(
+        task=CloseTask,
+        tree=_close,
+        example="close the drawer",
+        needs=frozenset({Need.HAND}),
+        about=_about,
+        goes_away=True,
     ),
 )

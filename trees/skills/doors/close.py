@@ -16,7 +16,7 @@ from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.doors.come_to_handle import come_to_handle
-from trees.skills.doors.detect_front import DetectFront
+from trees.skills.doors.detect_handle import DetectFront
 from trees.skills.doors.find_handle import seen_from_elsewhere
 from trees.skills.doors.handle.approach_handle import ApproachHandle
 from trees.skills.doors.handle.lead_handle import LeadHandle, is_stuck

@@ -8,8 +8,8 @@ from py_trees.composites import Sequence
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import defect
 from trees.nodes.retry import Retry
+from trees.skills.doors.handle_standing import WalkToHandle
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
-from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.walk_to.tree import another_walk_is_useless
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_with_room import with_room

@@ -1,4 +1,4 @@
-"""See a door or drawer with its handle, and remember it."""
+"""See a door or drawer, with its handle or as one that is pushed shut, and remember it."""
 
 from __future__ import annotations
 
@@ -9,14 +9,17 @@ from py_trees.common import Status
 
 from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
+from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.openings.handles import HandleTarget, handles_in, same_front
-from trees.failures import Failure
+from trees.beliefs.scene.scene_update import kind_of
+from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
 from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed
+from trees.skills.doors.pushed_front import fronts_in
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -88,3 +91,24 @@ class DetectHandle(LookLeaf):
         """How far a part is from where something was known to be."""
         part = self.toolbox.world.scene.objects[item.part]
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
+
+
+class DetectFront(DetectHandle):
+    """See a door that is to be pushed shut, with or without its handle.
+
+    An open door hides its handle from most directions, and a hand can push it without one.
+    """
+
+    _drawers = False
+
+    def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
+        """Doors with what they belong to."""
+        self._drawers = any(kind_of(name) == DRAWER for name in seen)
+        return fronts_in(seen)
+
+    def judge(self, views: list[View]) -> Status | Failure:
+        """Drawers are not pushed: told so that nobody looks for a door behind them."""
+        outcome = super().judge(views)
+        if isinstance(outcome, Failure) and outcome.kind is FailureKind.POSTCONDITION and self._drawers:
+            return Failure.infeasible("a drawer is closed by its handle")
+        return outcome

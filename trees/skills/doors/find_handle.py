@@ -13,8 +13,8 @@ from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.doors.come_to_handle import come_to_handle
+from trees.skills.doors.handle_standing import WalkToHandle
 from trees.skills.doors.recall_handle import RecallHandle
-from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.walking.change_viewpoint import ChangeViewpoint, Viewpoint
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_with_room import change_viewpoint

@@ -1,10 +1,13 @@
-"""Where to stand to open or close something: docs/notes/doors.md tells how the numbers were found."""
+"""Where to stand to open or close something, and the walk there; the numbers are from docs/notes/doors.md."""
 
 from __future__ import annotations
 
 from kinematics.geometry.planar import PlanarPose
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from trees.beliefs.openings.handles import HandleTarget
+from trees.nodes.contract import Contract
+from trees.nodes.ports import ports
+from trees.skills.walking.walk_to import WalkTo
 
 HINGE_AHEAD_M, HINGE_ASIDE_M, DOOR_TURNED_RAD = 0.80, 0.75, 0.15
 """The plane of a door's hinge ahead, the hinge to the side of the hand, and the door turned towards it."""
@@ -34,3 +37,28 @@ def handle_standing_place(target: HandleTarget, body: PlanarPose) -> PlanarPose:
         places = [bar @ PlanarPose(-BAR_AHEAD_M, side * BAR_ASIDE_M) for side in (-1.0, 1.0)]
         return min(places, key=body.distance_m)
     raise TypeError(f"nothing is known about {type(path).__name__}")
+
+
+class WalkToHandle(WalkTo):
+    """Walk to the place from which a door or drawer can be opened or closed."""
+
+    INPUT_PORTS = ports(handle=HandleTarget)
+    OUTPUT_PORTS = ports(goal=PlanarPose)
+    CONTRACT = Contract(
+        precondition="the handle was seen, and the robot stands upright with its hands at home",
+        postcondition="the robot stands; by odometry within the policy's tolerance of its goal",
+        deadline_s=120.0,
+        moves="body",
+        on_success="the robot stands in front of what is to be opened",
+        on_failure="the robot stops within two steps and stands",
+        on_cancel="the robot stops within two steps and stands",
+    )
+
+    def aim(self) -> None:
+        """The handle, as it was seen last."""
+        self._target: HandleTarget = self.get_input("handle")
+        self._straight_m = 0.3
+
+    def place(self, body: PlanarPose) -> PlanarPose:
+        """Where the hinge, or the bar, is where the hand wants it."""
+        return handle_standing_place(self._target, body)

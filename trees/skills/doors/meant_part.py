@@ -13,7 +13,7 @@ from trees.beliefs.grounding.ranking import wrong_side
 from trees.beliefs.openings.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.failures import Failure
-from trees.readings.around import what_is_around
+from trees.readings.odometry import what_is_around
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 

@@ -9,11 +9,13 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
-from robots.scenes.articulated import DOOR
+from robots.scenes.articulated import DOOR, PART_KINDS
 from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, top_of_nearest
 from trees.beliefs.scene.scene_update import kind_of
 
@@ -78,3 +80,24 @@ def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Ha
             hand: Hand = "left" if side > 0.0 else "right"
             return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True)
     return None
+
+
+def known_parts(scene: PlanningScene, body: PlanarPose, pushed: bool) -> list[HandleTarget]:
+    """Every door and drawer that was seen, now or before; of those that are pushed, every door.
+
+    Args:
+        scene: What is believed.
+        body: Where the robot stands.
+        pushed: Whether a door's front is enough, without its handle.
+    """
+    seen = _remembered(scene)
+    return fronts_in(seen) if pushed else handles_in(seen, body)
+
+
+def _remembered(scene: PlanningScene) -> Mapping[str, ObjectEstimate]:
+    parts = {*PART_KINDS, *BODY_OF.values()}
+    return {
+        name: ObjectEstimate("furniture", kind_of(name), None, item.world_T_object, item.shape, 0.5, 0, 0.0)
+        for name, item in scene.objects.items()
+        if kind_of(name) in parts
+    }

@@ -14,8 +14,8 @@ from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
 from trees.skills.doors.handle_standing import handle_standing_place
-from trees.skills.doors.known_parts import known_parts
 from trees.skills.doors.meant_part import kind_meant, meant_part
+from trees.skills.doors.pushed_front import known_parts
 from trees.tasks import CloseTask, OpenTask
 from trees.toolbox import Toolbox
 

@@ -13,8 +13,7 @@ from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
-from trees.nodes.move_from_here import move_from_here
-from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf, move_from_here
 from trees.nodes.ports import ports
 from trees.skills.gestures.settings import GestureSettings
 from trees.skills.looking.look_at import turning_joint

@@ -10,7 +10,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Step
-from trees.readings.free_hand import free_hands
+from trees.readings.held import free_hands
 from trees.tasks import PointAtTask
 
 

@@ -9,7 +9,7 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
-from trees.readings.free_hand import free_hands
+from trees.readings.held import free_hands
 from trees.readings.odometry import bearing_rad
 from trees.tasks import WaveTask
 

@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
 from trees.leaves.check_trajectory import CheckTrajectory
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.leaves.stream_motion import StreamMotion
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
@@ -17,13 +17,12 @@ from trees.skills.gestures.plan_pointing import PlanPointing
 from trees.skills.gestures.raise_hand import RaiseHand
 from trees.skills.gestures.settings import GestureSettings
 from trees.skills.gestures.swing_hand import SwingHand
-from trees.skills.gestures.turn_to_it import BEHIND_RAD, turned_to
+from trees.skills.gestures.turn_to import BEHIND_RAD, turned_to
 from trees.skills.gestures.verify_pointing import VerifyPointing
 from trees.skills.looking.find_unseen import FindUnseen
 from trees.skills.looking.look_along_way import seen_way
 from trees.skills.looking.search_place import everywhere
 from trees.skills.searching.look_elsewhere import found_by_turning
-from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
 _LOOKS_ON_WAY = 3

@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.failures import Failure, Reason
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.leaves.wait import Hold
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
@@ -23,7 +23,6 @@ from trees.skills.hand_over.settings import HandOverSettings
 from trees.skills.hand_over.verify_taken import VerifyTaken
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.search_place import search_place
-from trees.skills.tidily import tidily
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.toolbox import Toolbox
 

@@ -1,23 +1,27 @@
-"""See that the person has it."""
+"""See that the person has it, and not somebody else."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place
+from trees.beliefs.scene.believed_thing import PERSON
 from trees.beliefs.scene.held_object import HeldObject
+from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.port_values import Placement
-from trees.skills.hand_over.who_took_it import another_took_it
 from trees.skills.looking.look_around import LookAround
 
 # Lower than this above the floor, and nobody holds it.
@@ -82,3 +86,31 @@ class VerifyTaken(LookAround):
         let_go = self.get_input("placement").odom_T_object[:2, 3]
         far = float(np.hypot(*(item.odom_T_object[:2, 3] - let_go))) >= _CARRIED_M
         return far and not item.lying and not isinstance(item.shape, Ball)
+
+
+_CLEARLY_M = 0.05
+"""Who is in nearly the same direction may be the one whom it was meant for."""
+
+
+def another_took_it(addressed: str, let_go: Transform, now: Transform, scene: PlanningScene) -> str | None:
+    """Name of somebody towards whom a thing went, if not towards whom it was meant for.
+
+    Args:
+        addressed: Whom it was meant for, by the name in the planning scene.
+        let_go, now: Where the thing was let go and where it was seen since, odometry frame, shape (4, 4).
+        scene: What is believed.
+    """
+    nearer_m = {
+        name: _apart_m(let_go, item.world_T_object) - _apart_m(now, item.world_T_object)
+        for name, item in scene.objects.items()
+        if kind_of(name) == PERSON or name[:1].isupper()
+    }
+    taker = max(nearer_m, key=lambda name: (nearer_m[name], name), default=addressed)
+    if addressed not in nearer_m or nearer_m[taker] < nearer_m[addressed] + _CLEARLY_M:
+        return None
+    return taker
+
+
+def _apart_m(one: Transform, other: Transform) -> float:
+    """Along the floor."""
+    return math.dist(one[:2, 3].tolist(), other[:2, 3].tolist())

@@ -7,7 +7,7 @@ from py_trees.composites import Sequence
 
 from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.write_port import WritePort
+from trees.nodes.ports import WritePort
 from trees.skills.carrying.draw_back import DrawBack
 from trees.skills.carrying.let_go import LetGo
 from trees.skills.home.find_left_about import FindLeftAbout

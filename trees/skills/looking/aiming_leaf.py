@@ -9,8 +9,7 @@ import numpy as np
 from kinematics.requests.move import MoveRequest
 from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.move_from_here import move_from_here
-from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf, move_from_here
 
 
 class AimingLeaf(PlannedMotionLeaf):

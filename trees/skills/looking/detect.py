@@ -19,7 +19,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.port_values import Target
-from trees.readings.around import what_is_around
+from trees.readings.odometry import what_is_around
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
 from trees.skills.looking.whole_top import seen_wholly

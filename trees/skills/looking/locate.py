@@ -7,9 +7,16 @@ from collections.abc import Mapping, Sequence
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
-from trees.beliefs.grounding.destination import SLOTS, Place, aim_of, aims_at_person, resolve, slot_of
+from trees.beliefs.grounding.destination import (
+    SLOTS,
+    Place,
+    aim_of,
+    aims_at_person,
+    compares_people,
+    resolve,
+    slot_of,
+)
 from trees.beliefs.grounding.grounding import Found, Missing, exactly, ground
-from trees.beliefs.grounding.people import compares_people
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings
@@ -18,7 +25,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
-from trees.tasks import Destination, FindTask, ObjectDescription
+from trees.tasks import Destination, ObjectDescription
 from trees.toolbox import Toolbox
 
 _CONFIDENCE = 0.5
@@ -64,8 +71,8 @@ class Locate(LookAround):
             message = f"looking whether there is more than this {aim}"
             return Failure.postcondition(message).because(Reason.MORE_LOOKS_NEEDED)
         around = self.around()
-        if isinstance(task, FindTask) and slot == "object":
-            there = self._where_it_is_said_to_be(task, around)
+        if slot == "object":
+            there = self._where_it_is_said_to_be(aim, getattr(task, "source", None), around)
             if isinstance(there, Failure):
                 return there
             aim = there
@@ -77,12 +84,13 @@ class Locate(LookAround):
         self.feedback_message = f"{place.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
 
-    def _where_it_is_said_to_be(self, task: FindTask, around: Surroundings) -> Destination | Failure | None:
+    def _where_it_is_said_to_be(
+        self, aim: Destination | None, source: Destination | None, around: Surroundings
+    ) -> Destination | Failure | None:
         """What is looked for, as the one that is there: "the cup on the side table" is on no other table.
 
         A room, and what is behind a door, is left to those who go and look there.
         """
-        aim, source = task.object, task.source
         if not isinstance(aim, ObjectDescription) or aim.name is not None:
             return aim
         if source is None or source in self.toolbox.places or str(source) in MEANT_BY:

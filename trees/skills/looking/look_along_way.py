@@ -8,10 +8,12 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.nodes.best_effort import BestEffort
+from trees.nodes.ports import ports
+from trees.nodes.skipping import Skipping
 from trees.skills.looking.find_unseen import FindUnseen
+from trees.skills.looking.hand_ways import UnseenPlaces
 from trees.skills.looking.look_at import LookAtUnseen
 from trees.skills.looking.survey import Survey
-from trees.skills.looking.unless_seen import UnlessSeen
 from trees.toolbox import Toolbox
 
 
@@ -39,3 +41,17 @@ def seen_way(
         UnlessSeen(Sequence(name, memory=True, children=steps)),
     ]
     return Sequence("its way is seen", memory=True, children=children)
+
+
+class UnlessSeen(Skipping):
+    """Ticks its child if a hand is to pass over places that no look has shown; otherwise succeeds at once."""
+
+    INPUT_PORTS = ports(unseen=UnseenPlaces)
+    OUTPUT_PORTS = ports()
+
+    def __init__(self, child: Behaviour) -> None:
+        super().__init__(f"{child.name} unless seen", child)
+
+    def needed(self) -> bool:
+        """Whether there is such a place."""
+        return len(self.get_input("unseen").points) > 0

@@ -10,7 +10,7 @@ from py_trees.common import Status
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.failures import Failure
-from trees.readings.around import what_is_around
+from trees.readings.odometry import what_is_around
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
 

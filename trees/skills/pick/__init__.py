@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Before, Evidence, Need, Skill
+from trees.skill import After, Before, Evidence, Need, Skill
 from trees.tasks import PickTask
 
 if TYPE_CHECKING:
@@ -46,4 +46,5 @@ SKILL = Skill(
     claim=_claim,
     needs=frozenset({Need.HAND}),
     before=frozenset({Before.THING_AT_HAND, Before.SOURCE_OPEN}),
+    after=frozenset({After.THING_HELD}),
 )

@@ -11,8 +11,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.ports import ports
 from trees.port_values import Target
-from trees.readings.free_hand import free_hands
-from trees.readings.held import held_objects, lost
+from trees.readings.held import free_hands, held_objects, lost
 from trees.tasks import Destination, ObjectDescription, PickTask
 
 

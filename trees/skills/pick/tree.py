@@ -1,4 +1,7 @@
-"""Pick an object up: search, plan, check, reach, confirm, approach, grasp, lift, verify, and recover."""
+"""Pick an object up: search, plan, check, reach, confirm, approach, grasp, lift, verify, and recover.
+
+The dry run looks, plans and checks the same, and moves nothing.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ from trees.nodes.deadline import Deadline
 from trees.nodes.judgements import no_other_attempt_helps, tidying_helps
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import UnlessHeld
+from trees.skills.looking.detect import Detect
 from trees.skills.looking.find_unseen import FindUnseenOnWay
 from trees.skills.looking.look_along_way import seen_way
 from trees.skills.looking.look_at import LookAtTarget
@@ -32,6 +36,8 @@ from trees.skills.pick.recover import recover
 from trees.skills.pick.settings import PickSettings
 from trees.skills.pick.verify_hold import VerifyHold
 from trees.skills.pick.verify_lift import VerifyLift
+from trees.task_tree import TaskTree
+from trees.tasks import PickTask, Task
 from trees.toolbox import Toolbox
 
 _LOOKS_ON_WAY = 3
@@ -128,3 +134,19 @@ def _give_up(toolbox: Toolbox) -> Behaviour:
         BestEffort(BackOut("back out", toolbox)),
         GoHome("go home", toolbox),
     )
+
+
+def build_dry_run(task: Task, toolbox: Toolbox) -> TaskTree:
+    """Build the dry run of a task, from where the robot stands and looks now.
+
+    Raises:
+        TypeError: There is no dry run of such a task.
+    """
+    if not isinstance(task, PickTask):
+        raise TypeError(f"no dry run of a {type(task).__name__}")
+    children: list[Behaviour] = [Detect("detect", toolbox), PlanPick("plan pick", toolbox)]
+    children += [
+        CheckTrajectory(f"check {step}", toolbox, {"step": step, "checked": f"checked_{step}"})
+        for step in ("reach", "approach", "lift")
+    ]
+    return TaskTree(task, Sequence("rehearsal", memory=True, children=children), toolbox)

@@ -1,16 +1,35 @@
-"""Measure that the hand holds the object, before it is lifted."""
+"""Measure that the hand holds the object: what the gripper reads, before the object is lifted."""
 
 from __future__ import annotations
 
 from py_trees.common import Status
 
 from kinematics.requests.grasp import Grasp
+from robots.interface.gripper_reading import GripperReading
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.ports import ports
-from trees.skills.pick.grip import grip_failure
 from trees.skills.pick.settings import PickSettings
+
+
+def grip_failure(reading: GripperReading, grasp: Grasp, opening_tolerance_m: float) -> Failure | None:
+    """Why the reading contradicts that the hand holds the object of the grasp; None if it does not.
+
+    "Holding" alone says that something resists; the opening says whether it has the size of the object.
+    """
+    if not reading.holding:
+        return Failure.postcondition(
+            "nothing between the fingers", opening_m=reading.opening_m, effort_nm=reading.effort_nm
+        )
+    if abs(reading.opening_m - grasp.diameter_m) > opening_tolerance_m:
+        return Failure.postcondition(
+            "something of another size is between the fingers",
+            opening_m=reading.opening_m,
+            expected_m=grasp.diameter_m,
+            tolerance_m=opening_tolerance_m,
+        )
+    return None
 
 
 class VerifyHold(Leaf):

@@ -19,8 +19,8 @@ from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.skills.looking.look_leaf import GatheringLeaf, View, estimates_of
-from trees.skills.pick.grip import grip_failure
 from trees.skills.pick.settings import PickSettings
+from trees.skills.pick.verify_hold import grip_failure
 
 _READINGS_APART_S = 0.002
 """Readings are looked for so often; nobody makes them faster."""

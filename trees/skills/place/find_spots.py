@@ -1,22 +1,30 @@
-"""See where there is room."""
+"""Find where an object can be put down, leaving out the spots that were tried in vain."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from py_trees.common import Status
+from py_trees.ports import PortInformation
 
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
+from robots.scenes.furniture_names import kind_called
+from robots.scenes.scene_description import Region
+from trees.beliefs.grounding.destination import furniture_named
+from trees.beliefs.grounding.grounding import Ambiguous, Choice
+from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.held_object import HeldObject
+from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.sight_of_tops import SightOfTops
 from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.leaf import DONE
-from trees.nodes.ports import ports
-from trees.readings.around import base_pose
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import optional, ports
+from trees.port_values import Placement
+from trees.readings.odometry import base_pose
 from trees.skills.looking.look_around import LookAround
-from trees.skills.place.placement import spots_for
-from trees.skills.place.room_tops import on_what
+from trees.skills.place.placement import SURFACES, is_flat, is_surface, spots_for
 from trees.tasks import PlaceTask
 
 
@@ -50,4 +58,52 @@ class FindSpots(LookAround):
             return spots
         self._set_output("spots", spots)
         self.feedback_message = f"{len(spots)} free spots"
+        return DONE
+
+
+def on_what(room: str, region: Region, scene: PlanningScene) -> Failure:
+    """The question on what it is to be put; its choices are the furniture that was seen in the room.
+
+    Args:
+        room: Its name.
+        region: Where it is on the map.
+        scene: What is believed to be around.
+    """
+
+    def is_there(item: SceneObject) -> bool:
+        x_m, y_m, _ = item.world_T_object[:3, 3].tolist()
+        return is_flat(item) and region.contains(x_m, y_m)
+
+    called = {kind_of(item.name) for item in scene.objects.values() if not item.movable and is_surface(item)}
+    ordered = sorted(called, key=lambda words: (SURFACES.index(kind_called(words)), words))
+    found = {words: filter(is_there, furniture_named(words, scene)) for words in ordered}
+    largest = {words: next(tops, None) for words, tops in found.items()}
+    choices = tuple(Choice(top.name, f"the {words}") for words, top in largest.items() if top is not None)
+    message = f"on what in the {room} shall it be put?"
+    if not choices:
+        return Failure.infeasible(f"{message} nothing that things are put on was seen there")
+    return which_is_meant(Ambiguous(message, choices), "on", one_will_do=True)
+
+
+class ExcludeSpot(Leaf):
+    """Note after a failed attempt that its spot is not to be tried again."""
+
+    INPUT_PORTS = ports(
+        placement=optional(Placement), blocked=PortInformation(frozenset, default_value=frozenset())
+    )
+    OUTPUT_PORTS = ports(blocked_now=frozenset)
+    CONTRACT = Contract(
+        precondition="an attempt has failed",
+        postcondition="the next plan uses another spot",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Remember it."""
+        blocked: frozenset[tuple[float, float]] = self.get_input("blocked")
+        placement: Placement | None = self.optional("placement")
+        if placement is not None:
+            blocked = blocked | {placement.spot}
+        self._set_output("blocked_now", blocked)
+        self.feedback_message = f"{len(blocked)} spots excluded"
         return DONE

@@ -5,8 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+import numpy as np
+from numpy.typing import NDArray
+from py_trees.behaviour import Behaviour
 from py_trees.common import Status
+from py_trees.composites import Sequence
 
+from kinematics.geometry.shapes import Box, Shape
+from kinematics.scene.free_spots import footprint_radius_m
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground
@@ -15,14 +21,19 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of
-from trees.failures import Failure, Reason
+from trees.failures import Failure, FailureKind, Reason
+from trees.nodes.alternatives import Alternatives
 from trees.nodes.contract import Contract
+from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
+from trees.registry import skill_of
+from trees.skill import Before
 from trees.skills.looking.look_around import LookAround
-from trees.skills.place.container_room import room_beside_m
+from trees.skills.looking.look_at import LookAt
 from trees.skills.place.placement import not_taken, why_not_there
-from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, PlaceTask, PutInTask
+from trees.tasks import WHERE_IT_WAS, Bringing, Destination, ObjectDescription, ObjectOf, PlaceTask
+from trees.toolbox import Toolbox
 
 
 class KnowDestination(LookAround):
@@ -53,16 +64,14 @@ class KnowDestination(LookAround):
         around = self._besides_the_object(task)
         if around is None:
             return DONE
-        match task:
-            case PlaceTask():
-                failure = self._not_there(task, around)
-            case PutInTask():
-                failure = self._not_into(task, around)
-            case _:
-                failure = None
+        skill, failure = skill_of(task), None
+        if skill is not None and Before.AT_SURFACE in skill.before:
+            failure = self._not_there(task, around)
+        elif skill is not None and Before.GOAL_OPEN in skill.before:
+            failure = self._not_into(skill.goal(task), around)
         return DONE if failure is None else failure
 
-    def _besides_the_object(self, task: PlaceTask | PutInTask) -> Surroundings | None:
+    def _besides_the_object(self, task: Bringing) -> Surroundings | None:
         """What else there is than what is to be moved; None where it is not known which one that is."""
         around = self.around()
         if task.count != 1 or not isinstance(task.object, ObjectDescription):
@@ -88,8 +97,8 @@ class KnowDestination(LookAround):
         leaves = None if moved is None else support_of(moved, scene, gap_m)
         return why_not_there(task.on, task.to, scene, around, gap_m, None if leaves is None else leaves.name)
 
-    def _not_into(self, task: PutInTask, around: Surroundings) -> Failure | None:
-        to = ObjectDescription(task.to) if isinstance(task.to, str) else task.to
+    def _not_into(self, goal: Destination | None, around: Surroundings) -> Failure | None:
+        to = ObjectDescription(goal) if isinstance(goal, str) else goal
         if not isinstance(to, ObjectDescription) or to.kind in MEANT_BY:
             return None
         match ground(to, around):
@@ -108,3 +117,40 @@ class KnowDestination(LookAround):
         if room_beside_m(objects[container].shape, objects[thing].shape).min() >= 0.0:
             return None
         return Failure.infeasible(f"the {kind_of(thing)} is too wide for the {kind_of(container)}")
+
+
+# Left between the object and the walls: a perception error.
+_ROOM_M = 0.01
+
+
+def room_beside_m(container: Shape, thing: Shape) -> NDArray[np.float64]:
+    """How far a thing can stand from the middle of a container, along its sides; below 0 it is too wide.
+
+    Args:
+        container: Its solid.
+        thing: The solid that goes into it, upright, however it is turned.
+
+    Returns:
+        Shape (2,), in the container's frame.
+    """
+    size = container.size_m[:2] if isinstance(container, Box) else (2.0 * footprint_radius_m(container),) * 2
+    room: NDArray[np.float64] = np.array(size) * 0.5 - footprint_radius_m(thing) - _ROOM_M
+    return room
+
+
+def know_destination(toolbox: Toolbox) -> Behaviour:
+    """Looks until what it is put on, beside or into is seen. Reads "task"."""
+    looks: list[Behaviour] = [KnowDestination("as seen from here", toolbox)]
+    for gaze in (*toolbox.policy.search_gazes, *toolbox.policy.level_gazes):
+        children: list[Behaviour] = [
+            LookAt("look", toolbox, gaze),
+            KnowDestination("know destination", toolbox),
+        ]
+        looks.append(Sequence(f"look {gaze.name}", memory=True, children=children))
+    return Alternatives("where it goes", looks, hopeless=cannot_go_there)
+
+
+@judgement
+def cannot_go_there(failure: Failure) -> bool:
+    """Several that fit, or one that things are not put on or into."""
+    return looking_elsewhere_is_useless(failure) or failure.kind is FailureKind.INFEASIBLE

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
+
 from py_trees.common import Status
 
+from kinematics.geometry import poses
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
-from kinematics.scene.planning_scene import SceneObject
-from kinematics.scene.support_of import lowest_point_m
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.scene.support_of import lowest_point_m, top_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -19,7 +23,6 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
 from trees.port_values import CheckedStep, Placement
 from trees.readings.touch_watch import TouchWatch
-from trees.skills.place.felt_support import lowered_supports
 from trees.skills.place.settings import PlaceSettings
 
 # Two readings in a row: one may be a jolt.
@@ -190,3 +193,23 @@ class LowerFurther(PlannedMotionLeaf):
                 self.toolbox.motion.cancel(self._handle, "what the hand holds stands")
             return RUNNING
         return outcome
+
+
+def lowered_supports(scene: PlanningScene, names: Iterable[str], below_m: float) -> PlanningScene:
+    """The scene with furniture no higher than what was lowered onto it and did not touch it.
+
+    Fingers keep a margin from a top for the error of its height; a top that is known to be lower than it
+    seemed would keep them from going on by an error that it has not got.
+
+    Args:
+        scene: As it was seen.
+        names: Of what should have carried the object; what is no furniture is left as it is.
+        below_m: Height of the object's lowest point.
+    """
+    for name in names:
+        item = scene.objects.get(name)
+        if item is None or item.movable or top_m(item) <= below_m:
+            continue
+        down = poses.translation(0.0, 0.0, below_m - top_m(item))
+        scene = scene.with_object(replace(item, world_T_object=down @ item.world_T_object))
+    return scene

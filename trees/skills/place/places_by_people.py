@@ -13,8 +13,8 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
 from kinematics.scene.free_spots import FreeSpot, footprint_radius_m, spots_on
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from trees.beliefs.grounding.destination import person_meant
 from trees.beliefs.grounding.grounding import Ambiguous, Found
-from trees.beliefs.grounding.people import person_meant
 from trees.beliefs.grounding.questions import OTHER, which_is_meant
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
 from trees.beliefs.sight.sight_of_tops import SightOfTops

@@ -11,14 +11,14 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.leaves.check_trajectory import CheckTrajectory
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import no_other_attempt_helps
+from trees.nodes.leaf import rewired
 from trees.nodes.retry import Retry
 from trees.nodes.skipping import IfShifted
-from trees.nodes.wiring import rewired
 from trees.skills.carrying.draw_back import DrawBack
 from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.let_go import LetGo
@@ -26,19 +26,16 @@ from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.carrying.regrasp import regrasping
 from trees.skills.carrying.still_held import StillHeld
-from trees.skills.carrying.swap_hands import other_hand_is_no_help, swap_hands
-from trees.skills.looking.look_over import look_over
-from trees.skills.looking.look_past_hands import look_past_hands
-from trees.skills.place.exclude_spot import ExcludeSpot
-from trees.skills.place.find_spots import FindSpots
+from trees.skills.looking.look_over import look_over, look_past_hands
+from trees.skills.place.find_spots import ExcludeSpot, FindSpots
+from trees.skills.place.know_destination import know_destination
 from trees.skills.place.lower import Lower, LowerFurther
 from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.see_held import SeeHeld
 from trees.skills.place.settings import PlaceSettings
+from trees.skills.place.swap_hands import other_hand_is_no_help, swap_hands
 from trees.skills.place.verify_placed import VerifyPlaced
-from trees.skills.place.where_it_goes import know_destination
-from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
 # Steps farther down before a support is taken not to be there: 2 cm in all, beyond any perception error.

@@ -9,15 +9,17 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
-from trees.readings.free_hand import free_hands
-from trees.tasks import PickTask, PutInTask
+from trees.readings.held import free_hands
+from trees.registry import task_that
+from trees.skill import After
+from trees.tasks import PutInTask
 
 
 class AskForHand(Leaf):
     """Write the task of picking up the object with the hand that can reach past the open door."""
 
     INPUT_PORTS = ports(task=PutInTask)
-    OUTPUT_PORTS = ports(pick_task=PickTask)
+    OUTPUT_PORTS = ports(pick_task=object)
     CONTRACT = Contract(
         precondition="a hand is free",
         postcondition="the pick is described, with the hand that is named or else the one beside the hinge",
@@ -35,5 +37,6 @@ class AskForHand(Leaf):
         free = free_hands(self.toolbox, hand)
         if isinstance(free, Failure):
             return free
-        self._set_output("pick_task", PickTask(task.text, task.object, task.source, hand))
+        slots = {"object": task.object, "source": task.source, "hand": hand}
+        self._set_output("pick_task", task_that(After.THING_HELD, task.text, **slots))
         return DONE

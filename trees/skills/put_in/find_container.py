@@ -21,7 +21,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
-from trees.skills.place.container_room import room_beside_m
+from trees.skills.place.know_destination import room_beside_m
 from trees.tasks import PutInTask
 
 # Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.

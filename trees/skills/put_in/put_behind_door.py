@@ -5,15 +5,14 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import looking_elsewhere_is_useless, no_pick_helps
+from trees.nodes.judgements import looking_elsewhere_is_useless
 from trees.skills.carrying.draw_back import DrawBack
-from trees.skills.carrying.get_in_hand import fetched, get_in_hand
+from trees.skills.carrying.get_in_hand import get_in_hand
 from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.regrasp import regrasping
-from trees.skills.carrying.take_held import IsHeld
 from trees.skills.looking.survey import Survey
 from trees.skills.place.tree import bring
 from trees.skills.place.verify_placed import VerifyPlaced
@@ -23,7 +22,6 @@ from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.put_in.look_at_board import LookAtBoard
 from trees.skills.put_in.not_shut import NotShut
 from trees.skills.put_in.settings import PutInSettings
-from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
 
@@ -31,7 +29,8 @@ def put_behind_door(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     policy = toolbox.policy
     carry: list[Behaviour] = [
-        _get_in_hand(toolbox),
+        # who stands beside an open door reaches in with the hand beside the hinge; with the other one hardly
+        get_in_hand(toolbox, with_hand=AskForHand("say which hand", toolbox)),
         NotShut("is it open after all", toolbox),
         come_to_board(toolbox),
         bring(toolbox, find_board_room),
@@ -66,13 +65,3 @@ def _looks(name: str, before: list[Behaviour], toolbox: Toolbox) -> Behaviour:
         FindBoardRoom("find room", toolbox),
     ]
     return Sequence(name, memory=True, children=looks)
-
-
-def _get_in_hand(toolbox: Toolbox) -> Behaviour:
-    """It is in a hand already, or it is picked up: by the hand beside the hinge, if that goes.
-
-    Who stands beside an open door reaches in with that hand; with the other one hardly.
-    """
-    fetch = fetched("fetch it with that hand", AskForHand("say which hand", toolbox), toolbox)
-    ways: list[Behaviour] = [IsHeld("is it held already", toolbox), fetch, get_in_hand(toolbox)]
-    return Alternatives("have it", ways, hopeless=no_pick_helps)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import no_other_attempt_helps
@@ -22,17 +22,15 @@ from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.carrying.regrasp import regrasping
 from trees.skills.carrying.still_held import StillHeld
 from trees.skills.looking.look_at import LookAt
-from trees.skills.looking.look_over import look_over
-from trees.skills.looking.look_past_hands import look_past_hands
-from trees.skills.place.exclude_spot import ExcludeSpot
+from trees.skills.looking.look_over import look_over, look_past_hands
+from trees.skills.place.find_spots import ExcludeSpot
+from trees.skills.place.know_destination import know_destination
 from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.tree import over_the_spot, set_down
-from trees.skills.place.where_it_goes import know_destination
 from trees.skills.put_in.find_container import FindContainer
 from trees.skills.put_in.not_shut import NotShut
 from trees.skills.put_in.verify_put_in import VerifyPutIn
-from trees.skills.tidily import tidily
 from trees.toolbox import Toolbox
 
 _OVER_IT = Gaze("over it", tilt_rad=0.6, lean_rad=0.6)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.geometry.planar import PlanarPose
-from trees.beliefs.grounding.destination import Place
-from trees.beliefs.grounding.regions import place_of_region
+from trees.beliefs.grounding.destination import Place, place_of_region
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf

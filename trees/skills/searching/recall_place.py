@@ -17,7 +17,7 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
-from trees.readings.around import what_is_around
+from trees.readings.odometry import what_is_around
 from trees.tasks import Destination, ObjectDescription
 from trees.toolbox import Toolbox
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Before, Skill, as_answered
+from trees.skill import After, Before, Skill, as_answered
 from trees.tasks import CountTask, DescribeTask, FindTask
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ SKILLS = (
         example="find the red cup",
         claim=as_answered,
         before=frozenset({Before.SOURCE_IN_VIEW}),
+        after=frozenset({After.PERSON_KNOWN}),
     ),
     Skill(
         task=CountTask,

@@ -13,8 +13,8 @@ from trees.beliefs.scene.believed_thing import PERSON, BelievedThing
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
 from trees.nodes.ports import ports
+from trees.skills.telling.tell_found import where_it_is
 from trees.skills.telling.telling_leaf import TellingLeaf
-from trees.skills.telling.whereabouts import where_it_is
 from trees.tasks import Count, FindTask, ObjectDescription
 
 

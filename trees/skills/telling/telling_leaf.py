@@ -10,7 +10,8 @@ from statistics import fmean
 import numpy as np
 from py_trees.common import Status
 
-from robots.scenes.articulated import PART_KINDS
+from kinematics.scene.planning_scene import PlanningScene
+from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_description import Region
@@ -18,19 +19,18 @@ from trees.beliefs.grounding.furniture_called import called_so, is_said_of
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
-from trees.beliefs.openings.handles import INSIDE_KINDS
+from trees.beliefs.openings.drawer_inside import inside_of_drawer
+from trees.beliefs.openings.fridge_inside import door_opening_rad
+from trees.beliefs.openings.handles import INSIDE_KINDS, MEANT_BY
 from trees.beliefs.scene.believed_thing import PERSON, BelievedThing, Surroundings
-from trees.beliefs.scene.furniture_pieces import belong_together
-from trees.beliefs.scene.gap_to_furniture import gap_to_furniture_m
+from trees.beliefs.scene.furniture_pieces import belong_together, gap_to_furniture_m
 from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.hidden_places import HIDDEN_WORTH, hidden_places
 from trees.events import Said
-from trees.failures import Failure, Number, Reason
+from trees.failures import Failure, FailureKind, Number, Reason
 from trees.nodes.leaf import DONE, Leaf
-from trees.readings.around import base_pose, what_is_around
+from trees.readings.odometry import base_pose, what_is_around
 from trees.skills.telling.settings import TellingSettings
-from trees.skills.telling.stated_confidence import calibrated
-from trees.skills.telling.why_shut import why_shut
 from trees.tasks import Destination, ObjectDescription, Relation
 
 # A thing that was seen less surely is told as perhaps being there.
@@ -179,3 +179,44 @@ class TellingLeaf(Leaf):
         names = (thing.name for thing in around.things if not thing.movable and not thing.is_person)
         kinds = {kind_of(name) for name in self.inside(region, names)}
         return [f"the {kind}" for kind in sorted(kinds - _NO_FURNITURE)]
+
+
+_AJAR_RAD = math.radians(10.0)
+"""A door that is less open shows nothing."""
+
+
+def why_shut(scene: PlanningScene, word: str) -> Failure | None:
+    """Why nothing can be told of the inside of what is called so; None where it is open, or has no inside.
+
+    Args:
+        scene: What is believed.
+        word: "fridge", "drawer"; anything else is no matter.
+    """
+    told = Failure.infeasible(f"the {word} is shut: open it first ('open the {word}')")
+    if MEANT_BY.get(word) == DOOR:
+        opening = door_opening_rad(scene)
+        return told if opening is not None and opening < _AJAR_RAD else None
+    if MEANT_BY.get(word) == DRAWER:
+        inside = inside_of_drawer(scene)
+        return told if isinstance(inside, Failure) and inside.kind is FailureKind.INFEASIBLE else None
+    return None
+
+
+_NEAREST = 1e-3
+"""Raw confidences are kept this far from 0 and 1: nothing is that certain."""
+
+
+def log_odds(chance: float) -> float:
+    """Log of p / (1 - p), of a chance kept off 0 and 1."""
+    kept = min(max(chance, _NEAREST), 1.0 - _NEAREST)
+    return math.log(kept / (1.0 - kept))
+
+
+def calibrated(raw: float, slope: float, offset: float) -> float:
+    """Platt's map (1999): a line in the log-odds.
+
+    Args:
+        raw: Product of the confidences with which each thing was seen.
+        slope, offset: Of the line; 1 and 0 leave the chance as it is.
+    """
+    return 1.0 / (1.0 + math.exp(-(slope * log_odds(raw) + offset)))

@@ -8,7 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.failures import Failure
-from trees.leaves.go_home import GoHome
+from trees.leaves.go_home import GoHome, tidily
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
@@ -26,7 +26,6 @@ from trees.skills.telling.tell import TellCount, TellDescription
 from trees.skills.telling.tell_each import TellEach
 from trees.skills.telling.tell_found import TellFound
 from trees.skills.telling.who_speaks import nobody_spoke, who_speaks
-from trees.skills.tidily import tidily
 from trees.skills.walking.change_viewpoint import ChangeViewpoint
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_with_room import change_viewpoint

@@ -2,20 +2,72 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.behaviour import Behaviour
+from py_trees.common import Status
 from py_trees.composites import Sequence
 
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.destination import Place, aim_of, place_from
 from trees.failures import Failure, Reason
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
+from trees.nodes.contract import Contract
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
+from trees.nodes.leaf import DONE, Leaf
+from trees.nodes.ports import optional, ports
+from trees.skills.looking.look_around import LookAround
 from trees.skills.looking.look_at import LookAt
-from trees.skills.telling.is_about_speaker import AsksForSpeaker
-from trees.skills.telling.look_for_people import LookForPeople
 from trees.skills.telling.note_who_speaks import NoteWhoSpeaks
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_with_room import change_viewpoint
 from trees.toolbox import Toolbox
+
+
+class LookForPeople(LookAround):
+    """Take one more look, and add the people in it to those whom earlier looks have shown."""
+
+    INPUT_PORTS = ports(people_before=optional(dict))
+    OUTPUT_PORTS = ports(people=dict)
+    CONTRACT = Contract(
+        precondition="the head is at rest",
+        postcondition="everything in view is in the world model; everybody in view is noted",
+        deadline_s=2.0,
+    )
+
+    LOOKING_ON = True
+
+    def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
+        """Keep the newest sighting of each."""
+        people: dict[str, Place] = dict(self.optional("people_before") or {})
+        people |= {name: place_from(name, item) for name, item in seen.items() if item.category == "person"}
+        self._set_output("people", people)
+        self.feedback_message = ", ".join(sorted(people)) or "nobody"
+        return DONE
+
+
+SPEAKER = "me"
+
+
+class AsksForSpeaker(Leaf):
+    """Succeed if the task is aimed at "me", the person who speaks to the robot."""
+
+    ASKS = True
+    INPUT_PORTS = ports(task=object)
+    OUTPUT_PORTS = ports()
+    CONTRACT = Contract(
+        precondition="none",
+        postcondition="the task is aimed at who speaks",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Look at the word."""
+        if aim_of(self.get_input("task")) != SPEAKER:
+            return Failure.postcondition("it is not about who speaks")
+        return DONE
+
 
 _TURNS = 2
 """Turns of 1.9 rad: with a look to both sides before each, nothing around the robot is left out."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import Need, Skill
+from trees.skill import After, Need, Skill, Written
 from trees.tasks import WalkToTask
 
 if TYPE_CHECKING:
@@ -19,6 +19,18 @@ def _tree(_task: WalkToTask, toolbox: Toolbox) -> Behaviour:
     return walk_to(toolbox)
 
 
+def _about(written: Written) -> str | None:
+    """The thing that was walked to; furniture, people and places are not what "it" is then."""
+    place = written("place")
+    return place.name if place is not None and place.category == "object" else None
+
+
 SKILL = Skill(
-    task=WalkToTask, tree=_tree, example="walk to the table", needs=frozenset({Need.LEGS}), goes_away=True
+    task=WalkToTask,
+    tree=_tree,
+    example="walk to the table",
+    needs=frozenset({Need.LEGS}),
+    after=frozenset({After.AT_GOAL}),
+    about=_about,
+    goes_away=True,
 )

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.beliefs.grounding.destination import Place, aim_of
-from trees.beliefs.grounding.regions import START, place_of_region, start
+from trees.beliefs.grounding.destination import START, Place, aim_of, place_of_region, start
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf

@@ -6,6 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.failures import Failure, FailureKind
+from trees.leaves.go_home import tidily
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.nodes.retry import Retry
@@ -19,7 +20,6 @@ from trees.skills.searching.look_elsewhere import (
     worth_going,
 )
 from trees.skills.searching.recall_place import RecallPlace
-from trees.skills.tidily import tidily
 from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walk_to.know_place import KnowPlace
 from trees.skills.walk_to.may_be_elsewhere import MayBeElsewhere

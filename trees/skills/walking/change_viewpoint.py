@@ -16,7 +16,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
-from trees.skills.walking.scanned_walk import ScannedWalk
+from trees.skills.walking.walking_leaf import ScannedWalk
 from trees.skills.walking.walking_room import no_room_to_turn, walking_room
 from trees.toolbox import Toolbox
 

@@ -6,11 +6,10 @@ from kinematics.requests.move import MoveRequest
 from kinematics.walking.route.room import WalkingRoom
 from trees.failures import Failure
 from trees.nodes.contract import Contract
-from trees.nodes.move_from_here import move_from_here
-from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
+from trees.nodes.planned_motion_leaf import PlannedMotionLeaf, move_from_here
 from trees.nodes.ports import ports
 from trees.skills.walking.empty_arms import are_at, home_joints, tucked_joints
-from trees.skills.walking.scan_without_load import without_held
+from trees.skills.walking.walking_leaf import without_held
 from trees.toolbox import Toolbox
 
 

@@ -18,7 +18,7 @@ from trees.failures import Failure, FailureKind
 from trees.leaves.go_home import GoHome
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
-from trees.nodes.move_from_here import move_from_here
+from trees.nodes.planned_motion_leaf import move_from_here
 from trees.nodes.ports import ports
 from trees.readings.held import held_object
 from trees.skills.walking.empty_arms import are_at, arms_are_tucked, home_joints, tucked_joints

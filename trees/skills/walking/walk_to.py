@@ -21,10 +21,9 @@ from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import body_pose, feet_pose
 from trees.skills.walking.reachable_standing import Stand
-from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.seen_points import SeenPoints, apart_from
 from trees.skills.walking.standing_place import standing_place
-from trees.skills.walking.walking_leaf import WalkingLeaf
+from trees.skills.walking.walking_leaf import WalkingLeaf, without_held
 from trees.skills.walking.walking_room import room_if_it_walks, walking_room
 from trees.toolbox import Toolbox
 

@@ -1,13 +1,22 @@
-"""A leaf that walks and leaves the robot standing, whatever happens."""
+"""Leaves that walk, or look with the range sensor and then walk, and leave the robot standing."""
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.model.walking_settings import WalkingSettings
+from kinematics.walking.pattern.steering import Steering
 from robots.control.motion_handle import MotionHandle
-from trees.failures import Failure
-from trees.nodes.leaf import RUNNING, Leaf
+from trees.failures import Failure, Reason
+from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.motion_leaf import motion_failure
+from trees.readings.odometry import body_pose
+from trees.toolbox import Toolbox
 
 
 class WalkingLeaf(Leaf):
@@ -33,3 +42,70 @@ class WalkingLeaf(Leaf):
         """Stop within the last steps."""
         if self._handle is not None and self.toolbox.walking is not None:
             self.toolbox.walking.cancel(self._handle, reason)
+
+
+_AROUND_M = 0.12
+"""A held thing is within this of where it is believed to be, with what the sensor's noise adds."""
+
+
+def without_held(toolbox: Toolbox, scan: Array) -> Array:
+    """The points of a scan, shape (n, 3), that are none of what hangs on a hand.
+
+    Args:
+        toolbox: Knows what is attached, and where the hands are.
+        scan: In a level frame at the base, x ahead, z up from the floor.
+    """
+    attached = toolbox.world.scene.attached
+    if not attached:
+        return scan
+    model, q = toolbox.model, toolbox.sensing.state().q
+    level = poses.inverse(body_pose(toolbox).transform())
+    for name in sorted(attached):
+        item = attached[name]
+        x, y, z = (level @ model.frame_pose(q, item.frame) @ item.frame_T_object)[:3, 3]
+        shape = item.body.shape
+        radius_m = (
+            0.5 * float(np.hypot(*shape.size_m[:2])) if isinstance(shape, Box) else float(shape.radius_m)
+        )
+        beside = np.hypot(scan[:, 0] - x, scan[:, 1] - y) <= radius_m + _AROUND_M
+        level_with = np.abs(scan[:, 2] - z) <= 0.5 * shape.height_m + _AROUND_M
+        scan = scan[~(beside & level_with)]
+    return scan
+
+
+class ScannedWalk(WalkingLeaf):
+    """A leaf that looks with the range sensor, then walks or turns once, and waits until the robot stands.
+
+    A subclass decides, from what the sensor has seen, where to walk.
+    """
+
+    def steering(self, settings: WalkingSettings, scan: NDArray[np.float64]) -> Steering | Failure | None:
+        """The way to go; None where there is nothing to do.
+
+        Args:
+            settings: The sizes of a robot that walks.
+            scan: What the range sensor sees about the robot without what it holds, shape (n, 3), m.
+        """
+        raise NotImplementedError
+
+    def step(self) -> Status | Failure:
+        """Set out once, and wait until the robot stands."""
+        toolbox = self.toolbox
+        settings = toolbox.model.description.walking
+        if settings is None or toolbox.walking is None or toolbox.ranging is None:
+            message = f"{toolbox.model.description.name} cannot walk here"
+            return Failure.infeasible(message).because(Reason.CANNOT_WALK)
+        if self._handle is None:
+            scan = toolbox.ranging.scan()
+            if scan is None:
+                self.feedback_message = "waiting for the range sensor"
+                return RUNNING
+            steering = self.steering(settings, without_held(toolbox, scan))
+            if steering is None:
+                return DONE
+            if isinstance(steering, Failure):
+                return steering
+            self._handle = toolbox.walking.walk(steering, "walk")
+        if (ended := self.ended_early(self._handle)) is not None:
+            return ended
+        return DONE if self._handle.finished else RUNNING

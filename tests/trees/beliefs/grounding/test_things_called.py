@@ -7,8 +7,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from trees.beliefs.grounding.destination import person_meant
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground
-from trees.beliefs.grounding.people import person_meant
 from trees.beliefs.scene.believed_thing import surroundings
 from trees.tasks import ObjectDescription
 

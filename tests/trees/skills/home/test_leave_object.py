@@ -12,8 +12,8 @@ from trees.build import build_tree
 from trees.events import NodeChanged
 from trees.skills.home.find_left_about import FindLeftAbout
 from trees.skills.home.hand_about import objects_in_open_grasp
-from trees.skills.home.if_nothing_is_known import IfNothingIsKnown
 from trees.skills.home.lift_clear import held_near_support
+from trees.skills.home.tree import IfNothingIsKnown
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask, SayTask
 
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))

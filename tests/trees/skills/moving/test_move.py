@@ -9,7 +9,7 @@ from py_trees.common import Status
 from kinematics.geometry.shapes import Box
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.failures import FailureKind
-from trees.skills.moving.move import Move
+from trees.skills.moving.tree import Move
 from trees.tasks import MoveTask
 
 

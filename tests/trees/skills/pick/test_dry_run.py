@@ -5,7 +5,7 @@ import pytest
 
 from robots.fake.fake_world import cup, table
 from trees.nodes.leaf import Leaf
-from trees.skills.pick.dry_run import build_dry_run
+from trees.skills.pick.tree import build_dry_run
 from trees.tasks import GoHomeTask, ObjectDescription, PickTask
 
 RED_CUP = PickTask("pick up the red cup", ObjectDescription("cup", "red"))

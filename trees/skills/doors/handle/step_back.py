@@ -1,15 +1,19 @@
-"""Draw the open hand back from a handle."""
+"""Draw the hand back from a handle: when the work there is done, or where a cancelled task left it."""
 
 from __future__ import annotations
 
 import numpy as np
+from py_trees.behaviour import Behaviour
 from py_trees.common import Status
+from py_trees.composites import Sequence
 
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.move import RetreatRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import HandleTarget
 from trees.failures import Failure
+from trees.leaves.release import Release
+from trees.nodes.best_effort import BestEffort
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
@@ -96,3 +100,9 @@ class StepBack(PlannedMotionLeaf):
         if outcome is DONE and not self._clear:
             self.toolbox.world.at_handle = None
         return outcome
+
+
+def leave_handle(toolbox: Toolbox) -> Behaviour:
+    """Open the hand and draw it straight back; any other way would take the door along."""
+    children = [Release("let go", toolbox), BestEffort(StepBack("draw back", toolbox))]
+    return Sequence("leave the handle", memory=True, children=children)
