@@ -71,7 +71,12 @@ class ResumeTask:
     """Go on with what was paused."""
 
 
-DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus
+@dataclass(frozen=True, slots=True)
+class GetScene:
+    """What does the robot believe to be around it?"""
+
+
+DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus | GetScene
 
 
 _MESSAGES: Mapping[str, type] = {
@@ -82,6 +87,7 @@ _MESSAGES: Mapping[str, type] = {
     "pause": PauseTask,
     "resume": ResumeTask,
     "status": GetStatus,
+    "scene": GetScene,
 }
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol, cast, get_args
 
+from executive.dialogue.clarification import OpenQuestion
 from executive.exit_codes import ExitCode
 from executive.live.desk_messages import (
     _MESSAGES,
@@ -14,6 +15,7 @@ from executive.live.desk_messages import (
     Answer,
     Cancel,
     DeskMessage,
+    GetScene,
     PauseTask,
     ResumeTask,
     Say,
@@ -87,6 +89,10 @@ class Attended(Protocol):
         """How things stand, as JSON values."""
         ...
 
+    def scene(self) -> Sequence[Mapping[str, Any]]:
+        """What the robot believes to be around it, as JSON values."""
+        ...
+
 
 class Order:
     """A sentence or a script that somebody wants carried out, and the way back to them."""
@@ -100,9 +106,22 @@ class Order:
         """Send a line of feedback."""
         self.connection.send(write_message("line", text=line))
 
-    def end(self, line: str, outcome: str, code: ExitCode) -> None:
-        """Send the result."""
-        self.connection.send(write_message("result", text=line, outcome=outcome, exit_code=int(code)))
+    def ask(self, question: OpenQuestion) -> None:
+        """Send a question, in lines for people and as a message for programs."""
+        for line in (*question.lines(), 'answer with: executive answer "..."'):
+            self.tell(line)
+        self.connection.send(write_message("question", **question_json(question)))
+
+    def end(self, line: str, outcome: str, code: ExitCode, run: str = "") -> None:
+        """Send the result; ``run`` is the folder where it is recorded, if it is."""
+        self.connection.send(
+            write_message("result", text=line, outcome=outcome, exit_code=int(code), run=run)
+        )
+
+
+def question_json(question: OpenQuestion) -> dict[str, Any]:
+    """A question as JSON values."""
+    return {"text": question.text, "choices": list(question.choices), "tried": question.tried}
 
 
 class Desk:
@@ -115,7 +134,7 @@ class Desk:
 
     Attributes:
         current: The order that is being carried out.
-        asking: Whether a question is open.
+        question: What is asked and not answered yet, or None.
         given: Answers that have come, the oldest first.
     """
 
@@ -130,7 +149,7 @@ class Desk:
         self._waiting: deque[Order] = deque()
         self._begun: dict[Connection, list[ScriptLine]] = {}
         self.current: Order | None = None
-        self.asking = False
+        self.question: OpenQuestion | None = None
         self.given: list[str] = []
 
     def poll(self) -> None:
@@ -157,6 +176,8 @@ class Desk:
         match message:
             case GetStatus():
                 connection.send(write_message("status", **self._attended.status()))
+            case GetScene():
+                connection.send(write_message("scene", things=list(self._attended.scene())))
             case Cancel(reason):
                 under_way = self.current is not None
                 if under_way:
@@ -172,9 +193,10 @@ class Desk:
                 self._attended.resume()
                 connection.send(write_message("done", paused=paused))
             case Answer(text):
-                if self.asking:
+                asked = self.question is not None
+                if asked:
                     self.given.append(text)
-                connection.send(write_message("done", asked=self.asking))
+                connection.send(write_message("done", asked=asked))
             case Say():
                 self._queue(Order(message, connection))
             case ScriptLine():

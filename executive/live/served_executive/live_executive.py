@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -19,8 +19,9 @@ from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
 from executive.live.desk_messages import Say, Script
-from executive.live.served_executive.desk import Desk, Order, statements_of
+from executive.live.served_executive.desk import Desk, Order, question_json, statements_of
 from executive.live.served_executive.live_attendant import LiveAttendant
+from executive.live.served_executive.told_as_json import scene_json, tree_json
 from executive.meaning import StopCommand
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
@@ -46,6 +47,7 @@ from robots.scenes.scene_file import load_scene
 from robots.seeded import seeded
 from trees.build import TaskTree
 from trees.failures import Failure
+from trees.readings.around import what_is_around
 from trees.world_model import WorldModel
 
 _IDLE_S = 0.02
@@ -84,6 +86,7 @@ class LiveExecutive:
         self._conversation = Conversation()
         self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
+        self._tree: TaskTree | None = None
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
@@ -142,7 +145,19 @@ class LiveExecutive:
         current = self._order.said.text if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
         paused = self._session.paused
-        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
+        question = self._desk.question
+        return {
+            "task": current,
+            "t_s": round(self._link.now_s, 3),
+            "state": state,
+            "paused": paused,
+            "question": question and question_json(question),
+            "tree": self._tree and tree_json(self._tree.snapshot(self._link.now_s).root),
+        }
+
+    def scene(self) -> Sequence[Mapping[str, Any]]:
+        """What the robot believes to be around it, as JSON values."""
+        return scene_json(what_is_around(self._session.toolbox))
 
     # ---------------------------------------------------------------- an order
 
@@ -163,7 +178,7 @@ class LiveExecutive:
                 except ControlLostError as gone:
                     lost, ending = gone, (f"failed: {gone}", "failed", ExitCode.FAILED)
                 account.close(ending, results, self._planning.checked - checked_before)
-            order.end(*ending)
+            order.end(*ending, run=str(log.path))
             if lost is not None:
                 raise lost
         except NotWritableError as wrong:  # the disk has filled up since the last order
@@ -175,7 +190,7 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
-            self._order = self._account = self._display = None
+            self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
     def _results(self, said: Say | Script) -> list[Said]:
@@ -229,6 +244,7 @@ class LiveExecutive:
             self._account.hear(event)
 
     def _show(self, tree: TaskTree) -> None:
+        self._tree = tree
         if self._display is not None:
             self._display.tick(tree)
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from executive.dialogue.clarification import OpenQuestion
 from executive.live.desk_messages import (
     Answer,
     Cancel,
@@ -31,6 +32,9 @@ class Attended:
     def resume(self):
         self.heard.append(("resume",))
         self.paused = False
+
+    def scene(self):
+        return []
 
     def status(self):
         return {"task": None, "paused": self.paused}
@@ -127,7 +131,7 @@ def test_who_gave_the_task_and_goes_away_cancels_it(busy, desk, attended):
 
 def test_an_answer_counts_while_a_question_is_open(busy, desk):
     assert busy.says(Answer("2")) == [{"type": "done", "asked": False}]
-    desk.asking = True
+    desk.question = OpenQuestion("which cup?")
     assert busy.says(Answer("2")) == [{"type": "done", "asked": True}]
     assert desk.given == ["2"]
 
