@@ -16,8 +16,9 @@ from typing import Any
 
 from executive.live.caller.caller import Caller, NoAnswerError, ask_at
 from executive.live.caller.hang_watch import HungError, commander_of, hear_out
-from executive.live.caller.sendable import sendable
-from executive.live.desk_messages import Answer, Cancel, GetScene, Say, write_desk_message
+from executive.live.caller.sendable import require_served_as, script_lines, sendable
+from executive.live.desk_messages import Answer, Cancel, GetScene, Say, ScriptLine, write_desk_message
+from executive.scripts.task_script import is_script, load_script
 from robots.live.wire.messages import GetStatus, Stop, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 
@@ -59,8 +60,8 @@ class TaskStatus:
 class Run:
     """A task that this door has begun; a thread of its own hears what becomes of it."""
 
-    def __init__(self, where: RuntimeFolder, name: str, text: str) -> None:
-        """Give the sentence to the robot.
+    def __init__(self, where: RuntimeFolder, name: str, text: str, order: Sequence[Say | ScriptLine]) -> None:
+        """Give a sentence, or the lines of a script, to the robot.
 
         Raises:
             NotServedError: No robot is served there.
@@ -70,11 +71,13 @@ class Run:
         self._lock = threading.Lock()
         self._changed = threading.Condition(self._lock)
         self._lines: deque[str] = deque(maxlen=MOST_LINES)
+        self._kept_from = 0
         self._told = 0
         self._question: Mapping[str, Any] | None = None
         self._result: Mapping[str, Any] | None = None
         self._caller = Caller(where.executive_socket)
-        self._caller.send(write_desk_message(Say(text)))
+        for said in order:
+            self._caller.send(write_desk_message(said))
         threading.Thread(target=self._hear, name=f"task {name}", daemon=True).start()
 
     @property
@@ -93,6 +96,16 @@ class Run:
         report = _report_in(str(result.get("run", "")))
         outcome, message = str(result["outcome"]), str(result["text"])
         return TaskStatus(self.name, self.text, outcome, True, message, None, lines, report)
+
+    def news(self, seen: int) -> tuple[tuple[str, ...], int]:
+        """Lines of feedback since so many were read, the result's among them, and how many there are now."""
+        with self._lock:
+            first = self._kept_from
+            lines = tuple(self._lines)[max(seen - first, 0) :]
+            count = first + len(self._lines)
+            if self._result is not None and seen <= count:
+                return (*lines, str(self._result["text"])), count + 1
+            return lines, max(seen, count)
 
     def wait(self, seen: int, within_s: float) -> int:
         """Wait until there is more news than were seen before, or some wall time has passed.
@@ -130,6 +143,7 @@ class Run:
         with self._changed:
             match answer["type"]:
                 case "line":
+                    self._kept_from += len(self._lines) == MOST_LINES
                     self._lines.append(str(answer["text"]))
                 case "question":
                     self._question = {"text": answer["text"], "choices": answer["choices"]}
@@ -161,18 +175,29 @@ class ServedRobot:
     def begin(self, text: str) -> Run:
         """Begin a task; what becomes of it, be it a refusal, its status tells.
 
+        Args:
+            text: A sentence, or the path of a script.
+
         Raises:
             NotServedError: No robot is served there.
             NotSendableError: The text holds what no sentence may hold.
+            UserError: The script is none, or for another robot.
         """
-        spoken = sendable(text)
+        order: Sequence[Say | ScriptLine] = self._script(text) if is_script(text) else [Say(sendable(text))]
         self._begun += 1
-        run = Run(self._where, f"run-{self._begun}", spoken)
+        run = Run(self._where, f"run-{self._begun}", text, order)
         self._runs[run.name] = run
         for old in list(self._runs)[:-20]:
             if self._runs[old].ended:
                 del self._runs[old]
         return run
+
+    def _script(self, text: str) -> Sequence[ScriptLine]:
+        script = load_script(Path(text))
+        lines = script_lines(Path(text), script)
+        served = ask_at(self._where.control_socket, write_control_message(GetStatus()))
+        require_served_as(Path(text), script, served)
+        return lines
 
     def run(self, name: str | None = None) -> Run | None:
         """A task of this door: by its id, or the last one; None where there is none."""
