@@ -228,6 +228,7 @@ class MoveTask:
         angular_rad_s: Turning speed, to the left.
         duration_s: For how long; None until stopped.
         distance_m: How far; None for no bound.
+        is_fed: True where velocities are sent while it walks, and it ends with them; None otherwise.
     """
 
     text: str
@@ -235,6 +236,7 @@ class MoveTask:
     angular_rad_s: float = 0.0
     duration_s: float | None = None
     distance_m: float | None = None
+    is_fed: Literal[True] | None = None
 
     action = "move"
 

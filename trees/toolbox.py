@@ -27,6 +27,7 @@ from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
+from trees.velocity_feed import VelocityFeed
 from trees.world_model import WorldModel
 
 Planned = TypeVar("Planned")
@@ -196,6 +197,7 @@ class Toolbox:
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
+    velocities: VelocityFeed | None = None
 
     @property
     def can_walk(self) -> bool:

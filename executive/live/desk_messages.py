@@ -72,11 +72,19 @@ class ResumeTask:
 
 
 @dataclass(frozen=True, slots=True)
+class Velocity:
+    """A velocity of the base, one of many; the robot walks at the newest while they come."""
+
+    linear_m_s: float
+    angular_rad_s: float
+
+
+@dataclass(frozen=True, slots=True)
 class GetScene:
     """What does the robot believe to be around it?"""
 
 
-DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus | GetScene
+DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus | GetScene | Velocity
 
 
 _MESSAGES: Mapping[str, type] = {
@@ -88,6 +96,7 @@ _MESSAGES: Mapping[str, type] = {
     "resume": ResumeTask,
     "status": GetStatus,
     "scene": GetScene,
+    "velocity": Velocity,
 }
 
 

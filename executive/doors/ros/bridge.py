@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 from collections.abc import Callable, Mapping
@@ -20,11 +21,14 @@ from executive.doors.ros.messages import (
     String,
     TFMessage,
     Time,
+    Twist,
+    TwistStamped,
     WrenchStamped,
 )
 from executive.doors.ros.publishing import StateMessages, detections, diagnostics
 from executive.doors.ros.settings import RosSettings
 from executive.doors.served_robot import RESET_IS_A_PERSONS, Run, ServedRobot
+from executive.doors.velocity_flow import VelocityFlow
 from executive.errors import UserError
 from kinematics.model.robot_model import RobotModel
 from robots.clock import WallClock, utc_ns
@@ -50,10 +54,16 @@ class Commands:
     Args:
         node: Where the topics are.
         robot: Who is commanded.
+        flow: Takes velocities.
         tell: Publishes a line on ``/ai/status``.
     """
 
-    def __init__(self, node: RosNode, robot: ServedRobot, tell: Callable[[str], None]) -> None:
+    def __init__(
+        self, node: RosNode, robot: ServedRobot, flow: VelocityFlow, tell: Callable[[str], None]
+    ) -> None:
+        self._flow = flow
+        self._twists = node.reader("/cmd_vel", Twist, best_effort(1))
+        self._stamped = node.reader("/cmd_vel", TwistStamped, best_effort(1))
         self._robot, self._tell, self._wall = robot, tell, WallClock()
         self._commands = node.reader("/ai/command", String, reliable())
         self._answers = node.reader("/ai/answer", String, reliable())
@@ -72,6 +82,10 @@ class Commands:
             self._queue(partial(self._begin, said.data))
         for said in taken(self._answers):
             self._queue(partial(self._answer, said.data))
+        twists = [*taken(self._twists), *(one.twist for one in taken(self._stamped))]
+        if twists:
+            self._drive(twists[-1])
+        self._flow.poll(self._wall.now_s())
         with self._lock:
             runs, self._runs = self._runs, []
         for run, seen in runs:
@@ -82,6 +96,12 @@ class Commands:
             if not ended:
                 with self._lock:
                     self._runs.append((run, count))
+
+    def _drive(self, asked: Twist) -> None:
+        """Pass a velocity on; this robot walks ahead and back and turns, and nothing else."""
+        other = (asked.linear.y, asked.linear.z, asked.angular.x, asked.angular.y)
+        ahead = math.nan if any(other) else asked.linear.x
+        self._flow.hear(ahead, asked.angular.z, self._wall.now_s())
 
     def _queue(self, work: Callable[[], None]) -> None:
         try:
@@ -190,7 +210,11 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
     layout, slot = ReportLayout(model), StateSlotReader(RuntimeFolder(folder).state_slot)
     node = RosNode(settings)
     status = node.writer("/ai/status", String, reliable(100))
-    commands = Commands(node, robot, lambda line: status.write(String(line)))
+
+    def tell(line: str) -> None:
+        status.write(String(line))
+
+    commands = Commands(node, robot, VelocityFlow(folder, tell), tell)
     publications = Publications(node, model)
     asks = threading.Thread(target=_ask, args=(robot, publications, wall), name="ros status", daemon=True)
     asks.start()

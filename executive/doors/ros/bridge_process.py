@@ -20,7 +20,7 @@ def main(folder: str, domain: str, namespace: str, interface: str) -> int:
         with taken_by(signals.append):
             bridge(Path(folder), settings, lambda: bool(signals))
     except (LiveError, UserError) as wrong:
-        print(f"executive: the ROS bridge ended: {wrong}", file=sys.stderr)
+        sys.stderr.write(f"executive: the ROS bridge ended: {wrong}\n")
         return 2
     return 0
 

@@ -21,6 +21,7 @@ from executive.live.desk_messages import (
     Say,
     Script,
     ScriptLine,
+    Velocity,
 )
 from executive.meaning import Parsed
 from executive.trust import Trust
@@ -34,8 +35,11 @@ from robots.live.wire.messages import GetStatus, read_object, strictly, write_me
 from robots.live.wire.socket_server import SocketServer
 from trees.tasks import MoveTask
 
+Said = Say | Script | Velocity
+"""What is begun as an order; a velocity is one while velocities follow it."""
 
-def statements_of(said: Say | Script, before: Conversation, trust: Trust) -> Iterator[Statement]:
+
+def statements_of(said: Said, before: Conversation, trust: Trust) -> Iterator[Statement]:
     """Understand what was said, one statement after the other.
 
     Args:
@@ -46,6 +50,9 @@ def statements_of(said: Say | Script, before: Conversation, trust: Trust) -> Ite
     if isinstance(said, Script):
         for line in said.lines:
             yield _of_script(line, before, trust)
+    elif isinstance(said, Velocity):
+        text = "follow the velocities that are sent"
+        yield Statement(Parsed(text, (MoveTask(text, is_fed=True),)))
     elif said.text:
         understood = before.understand(said.text, trust)
         yield Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
@@ -93,11 +100,15 @@ class Attended(Protocol):
         """What the robot believes to be around it, as JSON values."""
         ...
 
+    def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
+        """Take the newest of the velocities that are sent while the robot walks at them."""
+        ...
+
 
 class Order:
-    """A sentence or a script that somebody wants carried out, and the way back to them."""
+    """A sentence, a script or velocities that somebody wants carried out, and the way back to them."""
 
-    def __init__(self, said: Say | Script, connection: Connection) -> None:
+    def __init__(self, said: Said, connection: Connection) -> None:
         """Keep both."""
         self.said = said
         self.connection = connection
@@ -197,10 +208,24 @@ class Desk:
                 if asked:
                     self.given.append(text)
                 connection.send(write_message("done", asked=asked))
+            case Velocity(linear_m_s, angular_rad_s):
+                if self._begins_or_feeds(message, connection):
+                    self._attended.hear_velocity(linear_m_s, angular_rad_s)
             case Say():
                 self._queue(Order(message, connection))
             case ScriptLine():
                 self._collect(message, connection)
+
+    def _begins_or_feeds(self, message: Velocity, connection: Connection) -> bool:
+        """Whether a velocity is taken: it begins an order, or belongs to the one that its sender began."""
+        orders = [*self._waiting, *([self.current] if self.current is not None else [])]
+        if any(isinstance(one.said, Velocity) and one.connection is connection for one in orders):
+            return True
+        if not orders:
+            self._queue(Order(message, connection))
+            return True
+        connection.send(write_message("refused", reason="the robot is busy with something else"))
+        return False
 
     def _collect(self, line: ScriptLine, connection: Connection) -> None:
         """Take one more statement of a script, and queue the script with its last one."""
@@ -224,7 +249,9 @@ class Desk:
         else:
             self._waiting.append(order)
 
-    def _says_stop(self, said: Say | Script) -> bool:
+    def _says_stop(self, said: Said) -> bool:
+        if isinstance(said, Velocity):
+            return False
         texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
         return all(self._is_stop(text) for text in texts)
 

@@ -18,8 +18,9 @@ from executive.live.control_client.motion_client import GripperClient, MotionCli
 from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from executive.live.desk_messages import Say, Script
+from executive.live.desk_messages import Script, Velocity
 from executive.live.served_executive.desk import Desk, Order, question_json, statements_of
+from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.told_as_json import scene_json, tree_json
 from executive.meaning import StopCommand
@@ -48,6 +49,7 @@ from robots.seeded import seeded
 from trees.build import TaskTree
 from trees.failures import Failure
 from trees.readings.around import what_is_around
+from trees.velocity_feed import VelocityFeed
 from trees.world_model import WorldModel
 
 _IDLE_S = 0.02
@@ -90,6 +92,7 @@ class LiveExecutive:
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
+        self._velocities = VelocityFeed()
         self._desk = Desk(folder.executive_socket, self, _is_stop)
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
@@ -112,7 +115,7 @@ class LiveExecutive:
         )
         places = _places(str(link.about["scene"]), chance.places)
         self._session, self._supervisor = session_on(
-            served, self._note, chance, places, world=world, on_tick=self._show
+            served, self._note, chance, places, velocities=self._velocities, world=world, on_tick=self._show
         )
         self._engaged = False
 
@@ -142,7 +145,7 @@ class LiveExecutive:
 
     def status(self) -> Mapping[str, Any]:
         """How things stand, as JSON values."""
-        current = self._order.said.text if self._order is not None else None
+        current = _name_of(self._order.said) if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
         paused = self._session.paused
         question = self._desk.question
@@ -193,7 +196,11 @@ class LiveExecutive:
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
-    def _results(self, said: Say | Script) -> list[Said]:
+    def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
+        """Walk at it, while such come."""
+        self._velocities.hear(linear_m_s, angular_rad_s, self._link.now_s)
+
+    def _results(self, said: DeskOrder) -> list[Said]:
         """Understand all of it, then carry it out."""
         session = self._session
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
@@ -265,7 +272,9 @@ class _LineStream:
         pass
 
 
-def _name_of(said: Say | Script) -> str:
+def _name_of(said: DeskOrder) -> str:
+    if isinstance(said, Velocity):
+        return "velocities"
     if isinstance(said, Script) or said.text:
         return said.text
     return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"

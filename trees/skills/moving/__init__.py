@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from trees.toolbox import Toolbox
 
 
-def _tree(_task: MoveTask, toolbox: Toolbox) -> Behaviour:
-    from trees.skills.moving.tree import move
+def _tree(task: MoveTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.moving.tree import drive, move
 
-    return move(toolbox)
+    return drive(toolbox) if task.is_fed else move(toolbox)
 
 
 SKILL = Skill(
