@@ -26,7 +26,7 @@ class VelocityFlow:
     def __init__(self, folder: Path, tell: Callable[[str], None]) -> None:
         self._where, self._tell = RuntimeFolder(folder), tell
         self._caller: Caller | None = None
-        self._refused: tuple[float, float] | None = None
+        self._refused: str | None = None
         self._refused_s = -math.inf
         self._last = (0.0, 0.0)
 
@@ -39,7 +39,7 @@ class VelocityFlow:
             now_s: Wall time.
         """
         wanted = (linear_m_s, angular_rad_s)
-        if wanted == self._refused and now_s - self._refused_s < _AGAIN_AFTER_S:
+        if repr(wanted) == self._refused and now_s - self._refused_s < _AGAIN_AFTER_S:
             return
         if not all(map(math.isfinite, wanted)):
             self._refuse(wanted, now_s, f"this robot cannot go {linear_m_s:g} m/s, {angular_rad_s:g} rad/s")
@@ -80,5 +80,5 @@ class VelocityFlow:
                     return
 
     def _refuse(self, wanted: tuple[float, float], now_s: float, why: str) -> None:
-        self._refused, self._refused_s = wanted, now_s
+        self._refused, self._refused_s = repr(wanted), now_s
         self._tell(why if why.startswith(("refused", "failed", "cancelled")) else f"refused: {why}")

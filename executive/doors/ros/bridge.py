@@ -44,6 +44,7 @@ _STOP_POLL_S = 0.005
 _ENGAGED_FOR_S = 0.5
 """Messages that repeat an emergency stop within this time change nothing."""
 _MOST_QUEUED = 20
+_READY_WITHIN_S = 120.0
 
 
 class Commands:
@@ -206,7 +207,7 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
         LiveError: No robot is served there.
     """
     robot, wall = ServedRobot(folder), WallClock()
-    model = RobotModel(load_description(str(robot.status()["robot"])))
+    model = RobotModel(load_description(_served(robot, wall, ended)))
     layout, slot = ReportLayout(model), StateSlotReader(RuntimeFolder(folder).state_slot)
     node = RosNode(settings)
     status = node.writer("/ai/status", String, reliable(100))
@@ -224,6 +225,17 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
             publications.state(layout.report(row))
         commands.poll()
         wall.sleep(_POLL_S)
+
+
+def _served(robot: ServedRobot, wall: WallClock, ended: Callable[[], bool]) -> str:
+    """The name of the robot, once its executive is there: it begins after the control."""
+    while True:
+        try:
+            return str(robot.status()["robot"])
+        except LiveError:
+            if ended() or wall.now_s() > _READY_WITHIN_S:
+                raise
+            wall.sleep(_STATUS_EVERY_S)
 
 
 def _ask(robot: ServedRobot, publications: Publications, wall: WallClock) -> None:
