@@ -79,6 +79,12 @@ class VelocityFlow:
                     self._refuse(self._last, now_s, str(message.get("text") or message.get("reason")))
                     return
 
+    def close(self) -> None:
+        """Hang up; a walk that is under way ends."""
+        if self._caller is not None:
+            self._caller.close()
+            self._caller = None
+
     def _refuse(self, wanted: tuple[float, float], now_s: float, why: str) -> None:
         self._refused, self._refused_s = repr(wanted), now_s
         self._tell(why if why.startswith(("refused", "failed", "cancelled")) else f"refused: {why}")

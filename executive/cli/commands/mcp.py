@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from typing import Annotated
 
 import typer
 
 from executive.cli.commands.choices import FolderOption, whole_number_from
-from executive.config import runtime_directory
+from executive.config import environment_value, runtime_directory
 
 _USUAL_PORT = 8642
 TOKEN = "HUMANOID_EXECUTIVE_MCP_TOKEN"  # the name of a variable of the environment
@@ -41,6 +40,6 @@ def mcp(
     if not http:
         serve_stdio(server)
         return
-    token = os.environ.get(TOKEN) or new_token()
+    token = environment_value(TOKEN) or new_token()
     typer.echo(f"http://{LOOPBACK}:{port}/mcp, token {token}", err=True)
     serve_http(server, port, token)
