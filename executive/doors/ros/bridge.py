@@ -75,7 +75,15 @@ class Commands:
         self._runs: list[tuple[Run, int]] = []
         self._lock = threading.Lock()
         threading.Thread(target=self._work, name="ros commands", daemon=True).start()
-        threading.Thread(target=self._watch_stops, name="ros stops", daemon=True).start()
+        self._ended = threading.Event()
+        self._stop_watch = threading.Thread(target=self._watch_stops, name="ros stops", daemon=True)
+        self._stop_watch.start()
+
+    def close(self) -> None:
+        """Take nothing in any more; a walk by velocities ends."""
+        self._ended.set()
+        self._stop_watch.join()
+        self._flow.close()
 
     def poll(self) -> None:
         """Take in what has arrived, and pass on what the robot has said of its tasks."""
@@ -132,7 +140,7 @@ class Commands:
 
     def _watch_stops(self) -> None:
         quiet_until_s = 0.0
-        while True:
+        while not self._ended.is_set():
             self._wall.sleep(_STOP_POLL_S)
             if not any(said.data for reader in self._stops for said in taken(reader)):
                 continue
@@ -165,10 +173,10 @@ class Publications:
             for sole in model.description.soles
         ]
         self._frames = node.writer("/tf", TFMessage, reliable(100))
-        fixed = node.writer("/tf_static", TFMessage, reliable(1, latched=True))
-        fixed.write(self._messages.fixed_transforms(_now()))
-        described = node.writer("/robot_description", String, reliable(1, latched=True))
-        described.write(String(model.description.urdf))
+        self._fixed = node.writer("/tf_static", TFMessage, reliable(1, latched=True))
+        self._fixed.write(self._messages.fixed_transforms(_now()))
+        self._described = node.writer("/robot_description", String, reliable(1, latched=True))
+        self._described.write(String(model.description.urdf))
         self._diagnostics = node.writer("/diagnostics", DiagnosticArray, reliable())
         self._detections = node.writer("/detections", Detection3DArray, reliable())
         self._frames_at_s = 0.0
@@ -219,12 +227,15 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
     publications = Publications(node, model)
     asks = threading.Thread(target=_ask, args=(robot, publications, wall), name="ros status", daemon=True)
     asks.start()
-    while not ended():
-        row = slot.newest()
-        if row is not None:
-            publications.state(layout.report(row))
-        commands.poll()
-        wall.sleep(_POLL_S)
+    try:
+        while not ended():
+            row = slot.newest()
+            if row is not None:
+                publications.state(layout.report(row))
+            commands.poll()
+            wall.sleep(_POLL_S)
+    finally:
+        commands.close()
 
 
 def _served(robot: ServedRobot, wall: WallClock, ended: Callable[[], bool]) -> str:
