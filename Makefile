@@ -24,7 +24,7 @@ FIND_PYTHON = for p in $(PYTHON) python3.11 python3.12 python3.13 python3; do \
 export OMP_NUM_THREADS := 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: setup run test check requirements evaluate benchmark reference lock build clean
+.PHONY: setup run test test-peers check requirements evaluate benchmark reference lock build clean
 
 setup: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## the environment with everything that development needs
 
@@ -57,6 +57,10 @@ run: $(VENV)/.warm-stamp  ## the main job
 
 test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
+
+test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client
+	-$(BIN)/python -m tools.benchmark.peers ros_jazzy ros_kilted  # one that cannot be installed is named and left out
+	$(BIN)/python -m pytest --peers tests/peers
 
 check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
 	$(BIN)/ruff check .

@@ -45,6 +45,11 @@ def chosen_config() -> Path | None:
     return Path(chosen) if chosen else None
 
 
+def environment_value(name: str) -> str:
+    """What a variable of the environment says, such as one with a secret; empty where it is not set."""
+    return os.environ.get(name, "")
+
+
 def cache_directory() -> Path:
     """Where what can be made anew is kept, by the platform's custom."""
     import platformdirs  # help is told without it

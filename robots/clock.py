@@ -62,3 +62,8 @@ class ProcessorClock:
 def utc_timestamp() -> str:
     """The date and time of day in UTC, ISO 8601, for names of runs and reports."""
     return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
+
+
+def utc_ns() -> int:
+    """Wall time since 1970 in nanoseconds, as other programs stamp what they say; for messages only."""
+    return time.time_ns()

@@ -1,4 +1,6 @@
-"""Data of other packages: scenes, robots and words, found by their entry points when they are asked for.
+"""Which scenes, robots and words there are, here and in other packages; what is in them is not read.
+
+Those of other packages are found by their entry points when they are asked for.
 
 A package declares a package of its own that holds the files::
 
@@ -25,6 +27,10 @@ ROBOTS = "humanoid_executive.robots"
 """Each names a package with a robot's ``description.toml``; the robot is called as the entry point is."""
 VOCABULARY = "humanoid_executive.vocabulary"
 """Each names a package with word lists, ``*.toml``, in the form of a user's configuration."""
+
+
+DESCRIPTION = "description.toml"
+"""The file that makes a folder a robot's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +72,27 @@ def outside_files(group: str) -> Mapping[str, Traversable]:
             if file.name.endswith(".toml"):
                 found.setdefault(file.name.removesuffix(".toml"), file)
     return MappingProxyType(found)
+
+
+def robot_folders() -> Mapping[str, Traversable]:
+    """The folder of data of each robot by its name; of equal names the one here."""
+    here = {item.name: item for item in importlib.resources.files("robots.models").iterdir()}
+    folders = {**outside_folders(ROBOTS).folders, **here}
+    return {name: item for name, item in folders.items() if (item / DESCRIPTION).is_file()}
+
+
+def known_robots() -> list[str]:
+    """Names of the robots, sorted."""
+    return sorted(robot_folders())
+
+
+def scene_files() -> Mapping[str, Traversable]:
+    """The file of each scene by its name; of equal names the one here."""
+    here = importlib.resources.files("robots.scenes").iterdir()
+    own = {item.name.removesuffix(".toml"): item for item in here if item.name.endswith(".toml")}
+    return {**outside_files(SCENES), **own}
+
+
+def known_scenes() -> list[str]:
+    """Names of the scenes, sorted."""
+    return sorted(scene_files())

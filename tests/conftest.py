@@ -29,6 +29,17 @@ def _has_opengl() -> bool:
     return False
 
 
+def pytest_addoption(parser):
+    """Tests beside other programs take minutes and run when they are asked for."""
+    parser.addoption("--peers", action="store_true", help="run tests/peers as well: `make test-peers`")
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Leave out what needs other programs."""
+    is_peer = collection_path.name == "peers" and collection_path.parent.name == "tests"
+    return True if is_peer and not config.getoption("--peers") else None
+
+
 def pytest_collection_finish():
     """Keep what imports made out of every later collection of garbage: it lives as long as the tests do.
 

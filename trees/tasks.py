@@ -6,7 +6,7 @@ known by ``trees.registry``; a skill may bring a task type of its own.
 
 from __future__ import annotations
 
-from dataclasses import Field, dataclass
+from dataclasses import Field, dataclass, field
 from typing import Any, ClassVar, Literal, Protocol
 
 from kinematics.model.robot_description import Hand
@@ -15,6 +15,9 @@ RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "next_to", "on", "in", "under", "nearest"
 ]
 Count = int | Literal["both", "all"]
+
+UNSAID = "unsaid"
+"""Key in a slot's metadata: the executive alone sets it, neither a sentence nor a model's output does."""
 
 
 class Task(Protocol):
@@ -228,6 +231,7 @@ class MoveTask:
         angular_rad_s: Turning speed, to the left.
         duration_s: For how long; None until stopped.
         distance_m: How far; None for no bound.
+        is_fed: True where velocities are sent while it walks, and it ends with them; None otherwise.
     """
 
     text: str
@@ -235,6 +239,7 @@ class MoveTask:
     angular_rad_s: float = 0.0
     duration_s: float | None = None
     distance_m: float | None = None
+    is_fed: Literal[True] | None = field(default=None, metadata={UNSAID: True})
 
     action = "move"
 

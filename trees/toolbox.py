@@ -44,6 +44,36 @@ class Pauses:
     total_s: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class HeardVelocity:
+    """A velocity of the base.
+
+    Attributes:
+        linear_m_s: Forward speed.
+        angular_rad_s: Turning speed, to the left.
+        heard_s: Control time at which it came.
+    """
+
+    linear_m_s: float
+    angular_rad_s: float
+    heard_s: float
+
+
+class VelocityFeed:
+    """Holds the newest velocity; what is older is forgotten.
+
+    Attributes:
+        newest: It, or None before the first one.
+    """
+
+    def __init__(self) -> None:
+        self.newest: HeardVelocity | None = None
+
+    def hear(self, linear_m_s: float, angular_rad_s: float, now_s: float) -> None:
+        """Take a velocity in the place of the one before."""
+        self.newest = HeardVelocity(linear_m_s, angular_rad_s, now_s)
+
+
 class MotionControl(Protocol):
     """Starts and cancels motions of the body: the motion streamer itself, or a client of it."""
 
@@ -196,6 +226,7 @@ class Toolbox:
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
+    velocities: VelocityFeed | None = None
 
     @property
     def can_walk(self) -> bool:

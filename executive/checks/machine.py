@@ -157,13 +157,13 @@ def _data(name: str, count: Callable[[], int]) -> Finding:
 
 
 def _robots() -> int:
-    from robots.known import known_robots
+    from robots.outside import known_robots
 
     return len(known_robots())
 
 
 def _scenes() -> int:
-    from robots.known import known_scenes
+    from robots.outside import known_scenes
 
     return len(known_scenes())
 

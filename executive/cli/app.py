@@ -14,6 +14,7 @@ from executive.cli.commands import (
     check,
     doctor,
     list_,
+    mcp,
     parse,
     pause,
     replay,
@@ -103,6 +104,7 @@ app.command("resume")(resume.resume)
 app.command("stop")(stop.stop)
 app.command("reset")(reset.reset)
 app.command("shutdown")(shutdown.shutdown)
+app.command("mcp")(mcp.mcp)
 
 
 def main() -> None:

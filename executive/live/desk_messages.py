@@ -71,7 +71,20 @@ class ResumeTask:
     """Go on with what was paused."""
 
 
-DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus
+@dataclass(frozen=True, slots=True)
+class Velocity:
+    """A velocity of the base, one of many; the robot walks at the newest while they come."""
+
+    linear_m_s: float
+    angular_rad_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class GetScene:
+    """What does the robot believe to be around it?"""
+
+
+DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus | GetScene | Velocity
 
 
 _MESSAGES: Mapping[str, type] = {
@@ -82,6 +95,8 @@ _MESSAGES: Mapping[str, type] = {
     "pause": PauseTask,
     "resume": ResumeTask,
     "status": GetStatus,
+    "scene": GetScene,
+    "velocity": Velocity,
 }
 
 

@@ -31,8 +31,8 @@ from kinematics.formats.trajectory_fit import stored_from
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from robots.clock import WallClock
-from robots.known import known_scenes
 from robots.models.description import load_robot_for_tasks
+from robots.outside import known_scenes
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.failures import Failure

@@ -20,7 +20,7 @@ from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.events import Offered
 from trees.policy import TreePolicy
-from trees.toolbox import Gripper, MotionControl, Planning, Toolbox, Walking, Yielding
+from trees.toolbox import Gripper, MotionControl, Planning, Toolbox, VelocityFeed, Walking, Yielding
 from trees.world_model import WorldModel
 
 
@@ -72,6 +72,7 @@ def session_on(
     chance: Seeded,
     places: Mapping[str, Region],
     *,
+    velocities: VelocityFeed | None = None,
     world: WorldModel | None = None,
     policy: TreePolicy | None = None,
     build: TreeBuilder | None = None,
@@ -86,6 +87,7 @@ def session_on(
         sink: Takes every event.
         chance: The run's randomness; the trees draw from theirs.
         places: The map of the rooms.
+        velocities: What is sent to walk at, where somebody can send it.
         world: What is believed of the world already; nothing when left out.
         policy: Numbers that behaviors go by.
         build: Makes a task's tree; `build_tree` when left out.
@@ -116,6 +118,7 @@ def session_on(
         ranging=robot.ranging,
         yielding=robot.yielding,
         places=places,
+        velocities=velocities,
     )
     supervisor = Supervisor(robot.guard, robot.clock, hub)
     session = Session(

@@ -26,7 +26,7 @@ from pydantic import (
 from executive.language.text.tokens import invisible_in
 from executive.meaning import Command, StopCommand
 from trees.registry import skills
-from trees.tasks import ObjectDescription, ObjectOf, Relation, RelationKind, Task
+from trees.tasks import UNSAID, ObjectDescription, ObjectOf, Relation, RelationKind, Task
 
 MAX_COUNT = 20
 LARGEST = 1000.0
@@ -124,7 +124,8 @@ def command_of(step: BaseModel) -> Command:
     if action == "stop":
         return StopCommand("stop")
     kind = skills()[action].task
-    slots = {field.name: _plain(getattr(step, field.name)) for field in fields(kind) if field.name != "text"}
+    said = [field.name for field in fields(kind) if field.name != "text" and UNSAID not in field.metadata]
+    slots = {name: _plain(getattr(step, name)) for name in said}
     task: Task = kind(text="", **{key: value for key, value in slots.items() if value is not None})
     return replace(task, text=_words(action, slots))
 
@@ -154,7 +155,7 @@ def _model_of(kind: Any) -> type[Strict]:
     hints = get_type_hints(kind)
     slots: dict[str, Any] = {"action": (Literal[kind.action], ...)}
     for field in fields(kind):
-        if field.name == "text":
+        if field.name == "text" or UNSAID in field.metadata:
             continue
         made = Speech if field.name == "words" else _translated(hints[field.name])
         alias = _ALIASES.get(field.name)

@@ -23,7 +23,6 @@ from kinematics.model.robot_description import (
 )
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.interface.hardware import RobotData
-from robots.known import DESCRIPTION, known_robots, robot_folders
 from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
 from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
@@ -36,6 +35,7 @@ from robots.models.urdf import (
     read_urdf,
     with_fixed_joints,
 )
+from robots.outside import DESCRIPTION, known_robots, robot_folders
 from robots.strict_table import read_table
 from robots.toml_text import TomlTextError, read_toml
 

@@ -14,7 +14,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.known import known_scenes, scene_files
+from robots.outside import known_scenes, scene_files
 from robots.scenes import furniture
 from robots.scenes.furniture import board_tops_m
 from robots.scenes.scene_description import (

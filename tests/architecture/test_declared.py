@@ -20,10 +20,15 @@ UNTOLD = {
 }
 # Referees that the development environment alone has.
 REFEREES = {"behaviortreepy", "scipy", "jsonschema"}
+# What a user of ROS has, for the node that runs there.
+ROS = {"rclpy", "std_srvs", "test_msgs", "humanoid_executive_interfaces"}
 
 
 def test_every_library_that_is_imported_is_declared():
-    declared = {re.match(r"[\w-]+", line)[0].lower().replace("_", "-") for line in PROJECT["dependencies"]}
+    extras = [line for name in ("ros", "mcp") for line in PROJECT["optional-dependencies"][name]]
+    declared = {
+        re.match(r"[\w-]+", line)[0].lower().replace("_", "-") for line in [*PROJECT["dependencies"], *extras]
+    }
     providers = importlib.metadata.packages_distributions()
     imported = {
         (name.split(".")[0], module.file)
@@ -35,7 +40,7 @@ def test_every_library_that_is_imported_is_declared():
     undeclared = {
         (library, file)
         for library, file in imported
-        if library not in OWN | set(sys.stdlib_module_names) | REFEREES
+        if library not in OWN | set(sys.stdlib_module_names) | REFEREES | ROS
         and not declared
         & {one.lower().replace("_", "-") for one in UNTOLD.get(library) or providers.get(library, [])}
     }

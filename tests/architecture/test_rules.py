@@ -21,6 +21,10 @@ HEAVY = {
     "ompl": ("kinematics", "tools"),
     "typer": ("executive",),
     "rich": ("executive", "tools"),
+    "cyclonedds": ("executive.doors.ros",),
+    "mcp": ("executive.doors.mcp",),
+    "uvicorn": ("executive.doors.mcp",),
+    "rclpy": ("executive.doors.ros.node",),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
 TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
@@ -29,7 +33,9 @@ TRUTH_USERS = (
     "executive.session.assembly", "tools",
 )  # fmt: skip
 # Scripts that run in other environments than the product's: nobody imports them.
-ELSEWHERE = ("tools.benchmark.peers.runners",)
+ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node")
+# Who makes a secret that nobody may guess: the one thing for which randomness is not injected.
+SECRETS = ("executive.doors.mcp.serving",)
 # The one place that opens sockets, and no others than those of this machine.
 LOCAL_SOCKETS = "robots.live.wire.unix_socket"
 NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
@@ -71,7 +77,8 @@ def wrong_library(module: Module) -> list[str]:
         library = name.split(".")[0]
         if library in HEAVY and not _within(module.name, (*HEAVY[library], *ELSEWHERE)):
             found.append(f"{module.file}:{line}: {library} belongs to {' and '.join(HEAVY[library])}")
-        if _within(name, NETWORK) and not (module.name == LOCAL_SOCKETS and name == "socket"):
+        mine = _within(module.name, (LOCAL_SOCKETS, *ELSEWHERE)) and name == "socket"
+        if _within(name, NETWORK) and not mine:
             found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
     if module.name == LOCAL_SOCKETS:
         found += [
@@ -84,7 +91,7 @@ def wrong_library(module: Module) -> list[str]:
 
 def wall_clock(module: Module) -> list[str]:
     """Readings of the wall clock outside robots/clock.py; tools may count their processor time."""
-    if module.name == "robots.clock":
+    if _within(module.name, ("robots.clock", *ELSEWHERE)):
         return []
     return [
         f"{module.file}:{line}: {name}"
@@ -95,7 +102,9 @@ def wall_clock(module: Module) -> list[str]:
 
 def global_random(module: Module) -> list[str]:
     """Randomness that nobody injected; making a Generator from a given seed is allowed."""
-    return [f"{module.file}:{line}: {name}" for line, name in module.calls() if _is_global_random(name)] + [
+    secret = _within(module.name, SECRETS)
+    called = [name for name in module.calls() if not (secret and name[1].startswith("secrets"))]
+    return [f"{module.file}:{line}: {name}" for line, name in called if _is_global_random(name)] + [
         f"{module.file}:{node.lineno}: default_rng() without a seed"
         for node in ast.walk(module.tree)
         if isinstance(node, ast.Call)

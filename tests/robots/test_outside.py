@@ -12,8 +12,8 @@ import robots
 from executive.vocabulary.outside import outside_words
 from robots import outside
 from robots.errors import SceneError, UnknownRobotError
-from robots.known import known_robots, known_scenes
 from robots.models.description import load_description
+from robots.outside import known_robots, known_scenes
 from robots.scenes.scene_file import load_scene
 
 MODELS, SCENES = (Path(robots.__file__).parent / name for name in ("models", "scenes"))

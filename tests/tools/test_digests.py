@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from robots.known import known_scenes
+from robots.outside import known_scenes
 from tools.evaluate.digests import RecordedRun, carried_out, differences, planned_runs
 
 

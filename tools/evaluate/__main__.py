@@ -18,9 +18,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from executive.errors import UserError
 from executive.runs.run_log import require_writable
 from robots.errors import RobotsError
-from robots.known import known_robots
 from robots.live.wire.faulty_connection import CONNECTION_FAULTS
 from robots.models.description import load_description
+from robots.outside import known_robots
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite

@@ -27,12 +27,12 @@ def list_(what: Annotated[What, typer.Argument(help="What to list.")]) -> None:
 def _lines(what: What) -> Iterator[str]:
     match what:
         case What.ROBOTS:
-            from robots.known import known_robots
+            from robots.outside import known_robots
 
             yield from known_robots()
             yield from _left_out(_complaints_about("robots"))
         case What.SCENES:
-            from robots.known import known_scenes
+            from robots.outside import known_scenes
 
             yield from known_scenes()
             yield from _left_out(_complaints_about("scenes"))

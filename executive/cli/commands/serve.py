@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -69,20 +71,34 @@ def serve(
     ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Say nothing unless something is wrong.")] = False,
     plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
+    ros: Annotated[
+        bool, typer.Option("--ros", help="ROS 2 on the wire, this machine alone unless told otherwise.")
+    ] = False,
+    ros_domain: Annotated[
+        int, typer.Option(parser=whole_number_from(0, 232), metavar="N", help="ROS_DOMAIN_ID.")
+    ] = 0,
+    ros_namespace: Annotated[str, typer.Option(metavar="NAME", help="Before every topic of ROS.")] = "",
+    ros_interface: Annotated[
+        str,
+        typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands."),
+    ] = "lo",
     config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
     """Serve a robot: its control in one process, the executive in another."""
     from executive.checks.machine import compile_kernel
+    from executive.doors.companion import Companion
     from executive.live.caller.service import Service, ServiceRequest
     from executive.runs.run_log import require_recordable
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
-    from robots.known import known_scenes
     from robots.models.description import load_robot_for_tasks
+    from robots.outside import known_scenes
     from robots.scenes.scene_file import load_scene
 
     del plain  # nothing is drawn here
+    where = folder or runtime_directory()
+    bridge = _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else []
     use_config(config)
 
     def say(line: str) -> None:
@@ -98,7 +114,6 @@ def serve(
     runs = record or runs_directory()
     require_recordable(runs)
     compile_kernel(say)
-    where = folder or runtime_directory()
     request = ServiceRequest(
         folder=where,
         robot=robot,
@@ -111,6 +126,20 @@ def serve(
         trust=Trust(confidence, policy.value),
     )
     note_folder(request.record)
-    with Service(request, say) as service:
+    with contextlib.ExitStack() as beside:
+        service = beside.enter_context(Service(request, say))
+        if bridge:
+            beside.enter_context(Companion("the ROS bridge", bridge, say))
         say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
         raise typer.Exit(service.watch())
+
+
+def _bridge(folder: Path, domain: int, namespace: str, interface: str) -> list[str]:
+    """How the ROS bridge is started; what is wrong with its settings is said before the robot stands."""
+    from executive.doors.companion import require_extra
+    from executive.doors.ros.settings import RosSettings
+
+    require_extra("ros", "cyclonedds")
+    settings = RosSettings(domain, namespace, interface)
+    module = "executive.doors.ros.bridge_process"
+    return [sys.executable, "-m", module, str(folder), str(settings.domain), namespace, interface]

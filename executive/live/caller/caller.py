@@ -100,6 +100,18 @@ class Caller:
             self._connection.flush()
             self._connection.wait(min(left_s, 0.5))
 
+    def poll(self) -> list[dict[str, Any]]:
+        """Messages that have arrived since the last look, without waiting.
+
+        Raises:
+            NoAnswerError: The connection has ended.
+        """
+        frames = self._connection.receive()
+        self._connection.flush()
+        if self._connection.closed and not frames:
+            raise NoAnswerError("the connection ended")
+        return [read_object(frame.payload) for frame in frames]
+
     def arrived(self, kind: str) -> list[dict[str, Any]]:
         """Messages of one type that have arrived since the last look; others are dropped.
 

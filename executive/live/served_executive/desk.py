@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol, cast, get_args
 
+from executive.dialogue.clarification import OpenQuestion
 from executive.exit_codes import ExitCode
 from executive.live.desk_messages import (
     _MESSAGES,
@@ -14,11 +15,13 @@ from executive.live.desk_messages import (
     Answer,
     Cancel,
     DeskMessage,
+    GetScene,
     PauseTask,
     ResumeTask,
     Say,
     Script,
     ScriptLine,
+    Velocity,
 )
 from executive.meaning import Parsed
 from executive.trust import Trust
@@ -32,8 +35,11 @@ from robots.live.wire.messages import GetStatus, read_object, strictly, write_me
 from robots.live.wire.socket_server import SocketServer
 from trees.tasks import MoveTask
 
+Said = Say | Script | Velocity
+"""What is begun as an order; a velocity is one while velocities follow it."""
 
-def statements_of(said: Say | Script, before: Conversation, trust: Trust) -> Iterator[Statement]:
+
+def statements_of(said: Said, before: Conversation, trust: Trust) -> Iterator[Statement]:
     """Understand what was said, one statement after the other.
 
     Args:
@@ -44,6 +50,9 @@ def statements_of(said: Say | Script, before: Conversation, trust: Trust) -> Ite
     if isinstance(said, Script):
         for line in said.lines:
             yield _of_script(line, before, trust)
+    elif isinstance(said, Velocity):
+        text = "follow the velocities that are sent"
+        yield Statement(Parsed(text, (MoveTask(text, is_fed=True),)))
     elif said.text:
         understood = before.understand(said.text, trust)
         yield Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
@@ -87,11 +96,19 @@ class Attended(Protocol):
         """How things stand, as JSON values."""
         ...
 
+    def scene(self) -> Sequence[Mapping[str, Any]]:
+        """What the robot believes to be around it, as JSON values."""
+        ...
+
+    def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
+        """Take the newest of the velocities that are sent while the robot walks at them."""
+        ...
+
 
 class Order:
-    """A sentence or a script that somebody wants carried out, and the way back to them."""
+    """A sentence, a script or velocities that somebody wants carried out, and the way back to them."""
 
-    def __init__(self, said: Say | Script, connection: Connection) -> None:
+    def __init__(self, said: Said, connection: Connection) -> None:
         """Keep both."""
         self.said = said
         self.connection = connection
@@ -100,9 +117,22 @@ class Order:
         """Send a line of feedback."""
         self.connection.send(write_message("line", text=line))
 
-    def end(self, line: str, outcome: str, code: ExitCode) -> None:
-        """Send the result."""
-        self.connection.send(write_message("result", text=line, outcome=outcome, exit_code=int(code)))
+    def ask(self, question: OpenQuestion) -> None:
+        """Send a question, in lines for people and as a message for programs."""
+        for line in (*question.lines(), 'answer with: executive answer "..."'):
+            self.tell(line)
+        self.connection.send(write_message("question", **question_json(question)))
+
+    def end(self, line: str, outcome: str, code: ExitCode, run: str = "") -> None:
+        """Send the result; ``run`` is the folder where it is recorded, if it is."""
+        self.connection.send(
+            write_message("result", text=line, outcome=outcome, exit_code=int(code), run=run)
+        )
+
+
+def question_json(question: OpenQuestion) -> dict[str, Any]:
+    """A question as JSON values."""
+    return {"text": question.text, "choices": list(question.choices), "tried": question.tried}
 
 
 class Desk:
@@ -115,7 +145,7 @@ class Desk:
 
     Attributes:
         current: The order that is being carried out.
-        asking: Whether a question is open.
+        question: What is asked and not answered yet, or None.
         given: Answers that have come, the oldest first.
     """
 
@@ -130,7 +160,7 @@ class Desk:
         self._waiting: deque[Order] = deque()
         self._begun: dict[Connection, list[ScriptLine]] = {}
         self.current: Order | None = None
-        self.asking = False
+        self.question: OpenQuestion | None = None
         self.given: list[str] = []
 
     def poll(self) -> None:
@@ -157,6 +187,8 @@ class Desk:
         match message:
             case GetStatus():
                 connection.send(write_message("status", **self._attended.status()))
+            case GetScene():
+                connection.send(write_message("scene", things=list(self._attended.scene())))
             case Cancel(reason):
                 under_way = self.current is not None
                 if under_way:
@@ -172,13 +204,28 @@ class Desk:
                 self._attended.resume()
                 connection.send(write_message("done", paused=paused))
             case Answer(text):
-                if self.asking:
+                asked = self.question is not None
+                if asked:
                     self.given.append(text)
-                connection.send(write_message("done", asked=self.asking))
+                connection.send(write_message("done", asked=asked))
+            case Velocity(linear_m_s, angular_rad_s):
+                if self._begins_or_feeds(message, connection):
+                    self._attended.hear_velocity(linear_m_s, angular_rad_s)
             case Say():
                 self._queue(Order(message, connection))
             case ScriptLine():
                 self._collect(message, connection)
+
+    def _begins_or_feeds(self, message: Velocity, connection: Connection) -> bool:
+        """Whether a velocity is taken: it begins an order, or belongs to the one that its sender began."""
+        orders = [*self._waiting, *([self.current] if self.current is not None else [])]
+        if any(isinstance(one.said, Velocity) and one.connection is connection for one in orders):
+            return True
+        if not orders:
+            self._queue(Order(message, connection))
+            return True
+        connection.send(write_message("refused", reason="the robot is busy with something else"))
+        return False
 
     def _collect(self, line: ScriptLine, connection: Connection) -> None:
         """Take one more statement of a script, and queue the script with its last one."""
@@ -202,7 +249,9 @@ class Desk:
         else:
             self._waiting.append(order)
 
-    def _says_stop(self, said: Say | Script) -> bool:
+    def _says_stop(self, said: Said) -> bool:
+        if isinstance(said, Velocity):
+            return False
         texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
         return all(self._is_stop(text) for text in texts)
 

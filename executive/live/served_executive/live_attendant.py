@@ -35,10 +35,9 @@ class LiveAttendant:
         order = self._desk.current
         if order is None:
             return None
-        for line in (*question.lines(), 'answer with: executive answer "..."'):
-            order.tell(line)
+        order.ask(question)
         self._desk.given.clear()
-        self._desk.asking = True
+        self._desk.question = question
         try:
             for _ in range(round(ANSWER_WITHIN_S / _LOOK_EVERY_S)):
                 self._let_pass(_LOOK_EVERY_S)
@@ -49,7 +48,7 @@ class LiveAttendant:
                     return self._desk.given.pop(0)
             return None
         finally:
-            self._desk.asking = False
+            self._desk.question = None
 
     def attend(self, _session: Stoppable) -> None:
         """What comes in between is taken in while time passes."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -18,9 +18,11 @@ from executive.live.control_client.motion_client import GripperClient, MotionCli
 from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from executive.live.desk_messages import Say, Script
-from executive.live.served_executive.desk import Desk, Order, statements_of
+from executive.live.desk_messages import Script, Velocity
+from executive.live.served_executive.desk import Desk, Order, question_json, statements_of
+from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
+from executive.live.served_executive.told_as_json import scene_json, tree_json
 from executive.meaning import StopCommand
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
@@ -46,6 +48,8 @@ from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.failures import Failure
+from trees.readings.odometry import what_is_around
+from trees.toolbox import VelocityFeed
 from trees.world_model import WorldModel
 
 _IDLE_S = 0.02
@@ -84,9 +88,11 @@ class LiveExecutive:
         self._conversation = Conversation()
         self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
+        self._tree: TaskTree | None = None
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
+        self._velocities = VelocityFeed()
         self._desk = Desk(folder.executive_socket, self, _is_stop)
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
@@ -109,7 +115,7 @@ class LiveExecutive:
         )
         places = _places(str(link.about["scene"]), chance.places)
         self._session, self._supervisor = session_on(
-            served, self._note, chance, places, world=world, on_tick=self._show
+            served, self._note, chance, places, velocities=self._velocities, world=world, on_tick=self._show
         )
         self._engaged = False
 
@@ -139,10 +145,22 @@ class LiveExecutive:
 
     def status(self) -> Mapping[str, Any]:
         """How things stand, as JSON values."""
-        current = self._order.said.text if self._order is not None else None
+        current = _name_of(self._order.said) if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
         paused = self._session.paused
-        return {"task": current, "t_s": round(self._link.now_s, 3), "state": state, "paused": paused}
+        question = self._desk.question
+        return {
+            "task": current,
+            "t_s": round(self._link.now_s, 3),
+            "state": state,
+            "paused": paused,
+            "question": question and question_json(question),
+            "tree": self._tree and tree_json(self._tree.snapshot(self._link.now_s).root),
+        }
+
+    def scene(self) -> Sequence[Mapping[str, Any]]:
+        """What the robot believes to be around it, as JSON values."""
+        return scene_json(what_is_around(self._session.toolbox))
 
     # ---------------------------------------------------------------- an order
 
@@ -163,7 +181,7 @@ class LiveExecutive:
                 except ControlLostError as gone:
                     lost, ending = gone, (f"failed: {gone}", "failed", ExitCode.FAILED)
                 account.close(ending, results, self._planning.checked - checked_before)
-            order.end(*ending)
+            order.end(*ending, run=str(log.path))
             if lost is not None:
                 raise lost
         except NotWritableError as wrong:  # the disk has filled up since the last order
@@ -175,10 +193,14 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
-            self._order = self._account = self._display = None
+            self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
-    def _results(self, said: Say | Script) -> list[Said]:
+    def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
+        """Walk at it, while such come."""
+        self._velocities.hear(linear_m_s, angular_rad_s, self._link.now_s)
+
+    def _results(self, said: DeskOrder) -> list[Said]:
         """Understand all of it, then carry it out."""
         session = self._session
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
@@ -229,6 +251,7 @@ class LiveExecutive:
             self._account.hear(event)
 
     def _show(self, tree: TaskTree) -> None:
+        self._tree = tree
         if self._display is not None:
             self._display.tick(tree)
 
@@ -249,7 +272,9 @@ class _LineStream:
         pass
 
 
-def _name_of(said: Say | Script) -> str:
+def _name_of(said: DeskOrder) -> str:
+    if isinstance(said, Velocity):
+        return "velocities"
     if isinstance(said, Script) or said.text:
         return said.text
     return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"

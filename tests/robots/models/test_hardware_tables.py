@@ -7,8 +7,8 @@ import pytest
 from kinematics.model.robot_description import GripperDescription, RobotDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.interface.hardware import GripSettings, Hardware, WalkingGains
-from robots.known import known_robots
 from robots.models.description import load_robot
+from robots.outside import known_robots
 
 
 def names(kind):

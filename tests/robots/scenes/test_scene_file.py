@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.errors import SceneError
-from robots.known import known_scenes
+from robots.outside import known_scenes
 from robots.scenes.scene_description import PerceptionModel, Person, RobotStart, SceneDescription, SceneItem
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_rules import validate

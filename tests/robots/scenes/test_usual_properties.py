@@ -3,7 +3,7 @@
 import pytest
 
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from robots.known import known_scenes
+from robots.outside import known_scenes
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_words import CYLINDER_KINDS, HOLLOW_KINDS, OBJECT_KINDS
 from robots.scenes.usual_properties import HEAVIEST_KG, LIGHTEST_KG, USUAL_FRICTION, usual_mass_kg

@@ -8,7 +8,13 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from tools.benchmark.peers.environments import CACHE_VARIABLE, NAMES, PeerEnvironment, default_cache
+from tools.benchmark.peers.environments import (
+    CACHE_VARIABLE,
+    NAMES,
+    ROS_NAMES,
+    PeerEnvironment,
+    default_cache,
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -16,7 +22,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="python -m tools.benchmark.peers", description="Install the peers, each on its own."
     )
-    parser.add_argument("names", nargs="*", choices=[*NAMES, []], metavar="NAME", help=", ".join(NAMES))
+    parser.add_argument(
+        "names",
+        nargs="*",
+        choices=[*NAMES, *ROS_NAMES, []],
+        metavar="NAME",
+        help=", ".join((*NAMES, *ROS_NAMES)),
+    )
     parser.add_argument(
         "--cache", type=Path, default=default_cache(), help=f"folder (or the variable {CACHE_VARIABLE})"
     )

@@ -19,6 +19,8 @@ from executive.config import APPLICATION
 CACHE_VARIABLE = "HUMANOID_EXECUTIVE_BENCHMARK_CACHE"
 _LOCKS = Path(__file__).parent
 NAMES = ("roboplan", "ompl", "pyroboplan", "pink", "mink", "toppra")
+ROS_NAMES = ("ros_jazzy", "ros_kilted")
+"""Peers of the ROS door, for tests alone: rclpy of two distributions."""
 
 
 def default_cache() -> Path:
@@ -35,7 +37,7 @@ class PeerEnvironment:
     """One peer's environment.
 
     Attributes:
-        name: One of ``NAMES``.
+        name: One of ``NAMES`` or ``ROS_NAMES``.
         cache: Folder that holds all environments.
     """
 

@@ -30,10 +30,11 @@ def leads_away(task: MoveTask) -> bool:
     return turn_rad > AWAY_RAD or far_m > AWAY_M
 
 
-def _tree(_task: MoveTask, toolbox: Toolbox) -> Behaviour:
+def _tree(task: MoveTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.moving.drive import drive
     from trees.skills.moving.tree import move
 
-    return move(toolbox)
+    return drive(toolbox) if task.is_fed else move(toolbox)
 
 
 SKILL = Skill(

@@ -2,13 +2,16 @@
 
 import pytest
 
+from executive.dialogue.clarification import OpenQuestion
 from executive.live.desk_messages import (
     Answer,
     Cancel,
+    GetScene,
     PauseTask,
     ResumeTask,
     Say,
     ScriptLine,
+    Velocity,
     write_desk_message,
 )
 from executive.live.served_executive.desk import Desk
@@ -19,7 +22,7 @@ from robots.live.wire.unix_socket import connect_to
 
 class Attended:
     def __init__(self):
-        self.heard, self.paused = [], False
+        self.heard, self.paused, self.velocities = [], False, []
 
     def cancel(self, reason):
         self.heard.append(("cancel", reason))
@@ -31,6 +34,12 @@ class Attended:
     def resume(self):
         self.heard.append(("resume",))
         self.paused = False
+
+    def scene(self):
+        return [{"name": "red cup"}]
+
+    def hear_velocity(self, linear_m_s, angular_rad_s):
+        self.velocities.append((linear_m_s, angular_rad_s))
 
     def status(self):
         return {"task": None, "paused": self.paused}
@@ -127,9 +136,33 @@ def test_who_gave_the_task_and_goes_away_cancels_it(busy, desk, attended):
 
 def test_an_answer_counts_while_a_question_is_open(busy, desk):
     assert busy.says(Answer("2")) == [{"type": "done", "asked": False}]
-    desk.asking = True
+    desk.question = OpenQuestion("which cup?")
     assert busy.says(Answer("2")) == [{"type": "done", "asked": True}]
     assert desk.given == ["2"]
+
+
+def test_whoever_asks_for_the_scene_is_told_what_is_believed(another):
+    assert another().says(GetScene()) == [{"type": "scene", "things": [{"name": "red cup"}]}]
+
+
+@pytest.mark.requirement("U3")
+def test_velocities_are_one_order_as_long_as_their_sender_sends_them(another, desk, attended):
+    sender = another()
+    sender.says(Velocity(0.2, 0.0))
+    order = desk.next_order()
+    sender.says(Velocity(0.3, 0.1))
+
+    assert isinstance(order.said, Velocity)
+    assert desk.next_order() is None
+    assert attended.velocities == [(0.2, 0.0), (0.3, 0.1)]
+
+
+@pytest.mark.requirement("U3")
+def test_a_velocity_beside_a_task_is_refused_and_reaches_nobody(busy, another, attended):
+    (told,) = another().says(Velocity(0.2, 0.0))
+
+    assert told["type"] == "refused"
+    assert attended.velocities == []
 
 
 @pytest.mark.requirement("F4")

@@ -209,7 +209,7 @@ def test_what_is_paused_while_it_asks_is_held_after_the_answer(asking):
     session, desk, held = asking.live._session, asking.live._desk, []
     session._pause._pausing = SimpleNamespace(pause=held.append, resume=lambda: held.append("it goes on"))
     ticks = iter(range(30))
-    session.watch_periods(lambda: desk.asking and not desk.given and desk.given.append("red cup"))
+    session.watch_periods(lambda: desk.question and not desk.given and desk.given.append("red cup"))
     session.watch_periods(lambda: held and next(ticks, None) is None and session.resume())
 
     def pause():

@@ -1,0 +1,242 @@
+"""Services and an action in front of a served robot, by rclpy.
+
+It runs where rclpy is, and imports nothing of the product: it speaks the robot's sockets itself. Give it the
+folder of a served robot::
+
+    python humanoid_node.py FOLDER
+
+The action ``execute_task`` is of ``humanoid_executive_interfaces``, a package beside this file, where that is
+built. Without it, ``--sentences FILE`` serves ``execute_numbered`` of ``test_msgs`` instead: the goal's order
+is the number of a line in the file, the result's sequence holds the exit code. Services: ``stop``, ``cancel``
+and ``reset`` (``std_srvs/Trigger``); ``reset`` only tells how a person does it.
+
+A goal lives as long as its client: when nobody listens to an action's feedback any more, its task is
+cancelled. How soon that is known is the lease of the client's own DDS participant (Fast DDS: 20 s unless its
+profile says otherwise).
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import socket
+import struct
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import rclpy
+from rclpy.action import ActionServer, CancelResponse, GoalResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+HEAD = struct.Struct(">2sBBI")
+MAGIC, VERSION, MESSAGE = b"HX", 1, 0
+RESET = "an emergency stop is left by a person at the robot alone: `executive reset` in a terminal there"
+POLL_S = 0.1
+ANSWER_WITHIN_S = 5.0
+LONGEST_MESSAGE = 65_536
+GRACE_S = 5.0
+"""A goal's client may take so long to be found in the graph."""
+
+
+class Link:
+    """A connection to one of the robot's sockets: JSON messages in frames of eight bytes and a payload."""
+
+    def __init__(self, path: Path) -> None:
+        """Connect; OSError when nobody listens."""
+        self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        self._socket.connect(str(path))
+        self._buffer = b""
+
+    def send(self, kind: str, **values: Any) -> None:
+        """Send a message."""
+        payload = json.dumps({"type": kind, **values}).encode()
+        self._socket.sendall(HEAD.pack(MAGIC, VERSION, MESSAGE, len(payload)) + payload)
+
+    def receive(self, within_s: float) -> dict[str, Any] | None:
+        """The next message, or None when none came in time; ConnectionError when the other side has gone."""
+        self._socket.settimeout(within_s)
+        while True:
+            if len(self._buffer) >= HEAD.size:
+                _, _, _, length = HEAD.unpack_from(self._buffer)
+                if length > LONGEST_MESSAGE:
+                    raise ConnectionError("a frame is too long")
+                if len(self._buffer) >= HEAD.size + length:
+                    payload = self._buffer[HEAD.size : HEAD.size + length]
+                    self._buffer = self._buffer[HEAD.size + length :]
+                    message: dict[str, Any] = json.loads(payload)
+                    return message
+            try:
+                arrived = self._socket.recv(65_536)
+            except TimeoutError:
+                return None
+            if not arrived:
+                raise ConnectionError("the robot's side has ended the connection")
+            self._buffer += arrived
+
+    def close(self) -> None:
+        """Hang up; a task that was begun here is cancelled by that."""
+        self._socket.close()
+
+
+class HumanoidNode(Node):
+    """The services and the action of one served robot."""
+
+    def __init__(self, folder: Path, sentences: list[str]) -> None:
+        super().__init__("humanoid_executive_node")
+        self._folder, self._sentences = folder, sentences
+        self._group = ReentrantCallbackGroup()
+        self._busy = threading.Lock()
+        for name, call in (("stop", self._stop), ("cancel", self._cancel), ("reset", self._reset)):
+            self.create_service(Trigger, name, call, callback_group=self._group)
+        if sentences:
+            from test_msgs.action import Fibonacci
+
+            self._serve("execute_numbered", Fibonacci, self._numbered)
+        else:
+            from humanoid_executive_interfaces.action import ExecuteTask
+
+            self._serve("execute_task", ExecuteTask, self._task)
+
+    def _serve(self, name: str, kind: type, execute: Any) -> None:
+        self._feedback_topic = f"{name}/_action/feedback"
+        self._server = ActionServer(
+            self,
+            kind,
+            name,
+            execute_callback=execute,
+            goal_callback=lambda _goal: GoalResponse.ACCEPT,
+            cancel_callback=lambda _goal: CancelResponse.ACCEPT,
+            callback_group=self._group,
+        )
+
+    # ------------------------------------------------------------------ services
+
+    def _ask(self, name: str, kind: str, **values: Any) -> dict[str, Any]:
+        link = Link(self._folder / name)
+        try:
+            link.send(kind, **values)
+            answer = link.receive(ANSWER_WITHIN_S)
+        finally:
+            link.close()
+        if answer is None:
+            raise ConnectionError("the robot does not answer")
+        return answer
+
+    def _stop(self, _request: Any, response: Any) -> Any:
+        return self._told(response, "control.sock", "stop", "stopped", category=1, reason="the service stop")
+
+    def _cancel(self, _request: Any, response: Any) -> Any:
+        return self._told(response, "executive.sock", "cancel", "cancelled", reason="the service cancel")
+
+    def _reset(self, _request: Any, response: Any) -> Any:
+        response.success, response.message = False, RESET
+        return response
+
+    def _told(self, response: Any, name: str, kind: str, done: str, **values: Any) -> Any:
+        try:
+            self._ask(name, kind, **values)
+        except OSError as wrong:
+            response.success, response.message = False, str(wrong)
+        else:
+            response.success, response.message = True, done
+        return response
+
+    # ------------------------------------------------------------------ actions
+
+    def _numbered(self, goal: Any) -> Any:
+        from test_msgs.action import Fibonacci
+
+        number = goal.request.order
+        known = 0 <= number < len(self._sentences)
+        text = self._sentences[number] if known else ""
+        steps = 0
+
+        def feedback(_line: str) -> None:
+            nonlocal steps
+            steps += 1
+            goal.publish_feedback(Fibonacci.Feedback(sequence=[steps]))
+
+        if not known:
+            goal.abort()
+            return Fibonacci.Result(sequence=[2])
+        ending = self._carry_out(goal, text, feedback)
+        return Fibonacci.Result(sequence=[int(ending["exit_code"])])
+
+    def _task(self, goal: Any) -> Any:
+        from humanoid_executive_interfaces.action import ExecuteTask
+
+        def feedback(line: str) -> None:
+            goal.publish_feedback(ExecuteTask.Feedback(line=line))
+
+        ending = self._carry_out(goal, goal.request.text, feedback)
+        report = _report(str(ending.get("run", "")))
+        return ExecuteTask.Result(
+            outcome=str(ending["outcome"]), message=str(ending.get("text", "")), report=report
+        )
+
+    def _carry_out(self, goal: Any, text: str, feedback: Any) -> dict[str, Any]:
+        """Give a sentence to the robot, and hear it out; the goal ends as the task did."""
+        ending: dict[str, Any] = {"outcome": "failed", "exit_code": 1}
+        asked_to_end, begun_s = False, time.monotonic()
+        try:
+            link = Link(self._folder / "executive.sock")
+            try:
+                link.send("say", text=text)
+                while True:
+                    message = link.receive(POLL_S)
+                    if message is not None and message["type"] == "line":
+                        feedback(str(message["text"]))
+                    if message is not None and message["type"] in ("result", "error"):
+                        refused = {"outcome": "refused", "exit_code": 2, "text": message.get("reason", "")}
+                        ending = message if message["type"] == "result" else refused
+                        break
+                    gone = self._client_is_gone(time.monotonic() - begun_s)
+                    if (gone or goal.is_cancel_requested) and not asked_to_end:
+                        reason = "the action's client is gone" if gone else "the action was cancelled"
+                        self._ask("executive.sock", "cancel", reason=reason)
+                        asked_to_end = True
+            finally:
+                link.close()
+        except OSError as wrong:
+            ending = {"outcome": "failed", "exit_code": 1, "text": f"failed: {wrong}"}
+        if goal.is_cancel_requested and ending["outcome"] == "cancelled":
+            goal.canceled()
+        elif ending["outcome"] == "done":
+            goal.succeed()
+        else:
+            goal.abort()
+        return ending
+
+    def _client_is_gone(self, since_s: float) -> bool:
+        return since_s > GRACE_S and self.count_subscribers(self._feedback_topic) == 0
+
+
+def _report(folder: str) -> str:
+    try:
+        return (Path(folder) / "report.json").read_text("utf-8") if folder else ""
+    except OSError:
+        return ""
+
+
+def main() -> None:
+    """Serve until interrupted."""
+    parser = argparse.ArgumentParser(description="Services and an action in front of a served robot.")
+    parser.add_argument("folder", type=Path, help="where the robot is served")
+    parser.add_argument("--sentences", type=Path, help="a sentence a line, for the action of test_msgs")
+    chosen = parser.parse_args()
+    sentences = chosen.sentences.read_text("utf-8").splitlines() if chosen.sentences else []
+    rclpy.init()
+    executor = MultiThreadedExecutor(4)
+    executor.add_node(HumanoidNode(chosen.folder, sentences))
+    with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
+        executor.spin()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,193 @@
+"""The MCP server, with the SDK's own client in front and a desk behind."""
+
+import anyio
+import pytest
+from mcp import Client, MCPError
+from mcp_types import ElicitResult
+
+from executive.doors.mcp.lease import Lease
+from executive.doors.mcp.server import mcp_server
+from executive.doors.served_robot import ServedRobot
+
+pytestmark = pytest.mark.requirement("L7")
+LONG_S = 60.0
+
+
+def talk(served, dialogue, lease_s=LONG_S, **client):
+    """Let a client talk to the server; answers what the dialogue answers."""
+    robot = ServedRobot(served.folder.path)
+    server = mcp_server(robot, Lease(robot, lease_s))
+
+    async def whole():
+        async with Client(server, **client) as one:
+            return await dialogue(one)
+
+    return anyio.run(whole)
+
+
+async def called(client, tool, **arguments):
+    answer = await client.call_tool(tool, arguments)
+    assert not answer.is_error, answer.content
+    return answer.structured_content
+
+
+async def begun(client, text="wave"):
+    return (await called(client, "start_task", text=text))["run"]
+
+
+def test_there_are_few_tools_and_none_resets(served):
+    async def dialogue(client):
+        return {tool.name for tool in (await client.list_tools()).tools}
+
+    tools = talk(served, dialogue)
+    assert tools == {"look", "check_command", "start_task", "task_status", "answer", "cancel", "stop"}
+
+
+def test_what_is_believed_comes_with_a_picture(served):
+    async def dialogue(client):
+        return (await client.call_tool("look", {})).content
+
+    picture, things = talk(served, dialogue)
+    assert picture.mime_type == "image/png"
+    assert '"red cup"' in things.text
+
+
+@pytest.mark.parametrize(
+    ("text", "outcome"),
+    [("pick up the red cup", "tasks"), ("pick up", "question"), ("frobnicate", "refused")],
+)
+def test_a_command_is_checked_and_nothing_begins(served, text, outcome):
+    async def dialogue(client):
+        return await called(client, "check_command", text=text)
+
+    assert talk(served, dialogue)["outcome"] == outcome
+    assert served.said == []
+
+
+def test_a_task_is_begun_by_one_call_and_its_end_told_by_another(served):
+    async def dialogue(client):
+        return await called(client, "task_status", run=await begun(client), wait_s=10.0)
+
+    told = talk(served, dialogue)
+    assert (told["outcome"], told["ended"], told["message"]) == ("done", True, "done: it waves")
+
+
+@pytest.mark.requirement("L6")
+def test_a_client_that_can_ask_a_person_puts_the_question_and_the_answer_goes_on(served):
+    served.asks, asked = True, []
+
+    async def person(_context, parameters):
+        asked.append(parameters.message)
+        return ElicitResult(action="accept", content={"answer": "red"})
+
+    async def dialogue(client):
+        run = await begun(client)
+        await called(client, "task_status", run=run, wait_s=10.0)
+        return await called(client, "task_status", run=run, wait_s=10.0)
+
+    told = talk(served, dialogue, elicitation_callback=person)
+    assert asked[0].splitlines() == ["which cup?", "  1  red", "  2  blue"]
+    assert told["outcome"] == "done"
+
+
+@pytest.mark.requirement("L6")
+def test_a_client_that_cannot_gets_the_question_and_answers_by_a_tool(served):
+    served.asks = True
+
+    async def dialogue(client):
+        run = await begun(client)
+        open_ = await called(client, "task_status", run=run, wait_s=10.0)
+        await called(client, "answer", text="red")
+        return open_, await called(client, "task_status", run=run, wait_s=10.0)
+
+    open_, told = talk(served, dialogue)
+    assert (open_["outcome"], open_["question"]["choices"]) == ("question", ["red", "blue"])
+    assert told["outcome"] == "done"
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_halts_the_task(served):
+    served.holds = True
+
+    async def dialogue(client):
+        run = await begun(client)
+        while not (await called(client, "cancel", reason="enough"))["under_way"]:
+            pass
+        return await called(client, "task_status", run=run, wait_s=10.0)
+
+    assert talk(served, dialogue)["outcome"] == "cancelled"
+
+
+@pytest.mark.requirement("S7")
+def test_a_status_call_that_is_cancelled_while_it_waits_cancels_the_task(served):
+    served.holds = True
+
+    async def dialogue(client):
+        run = await begun(client)
+        with anyio.move_on_after(1.0):
+            await called(client, "task_status", run=run, wait_s=30.0)
+        return await called(client, "task_status", run=run, wait_s=10.0)
+
+    assert talk(served, dialogue)["outcome"] == "cancelled"
+    assert served.cancels == ["the client cancelled its call"]
+
+
+@pytest.mark.requirement("S7")
+def test_a_task_that_no_client_asks_about_is_cancelled(served):
+    served.holds = True
+
+    async def dialogue(client):
+        await begun(client)
+        with anyio.fail_after(10.0):
+            while not served.cancels:
+                await anyio.sleep(0.05)
+
+    talk(served, dialogue, lease_s=0.5)
+    assert served.cancels[0].startswith("no client has asked about run-1")
+
+
+@pytest.mark.requirement("S4")
+def test_the_stop_reaches_the_control_and_says_who_resets(served):
+    async def dialogue(client):
+        return await called(client, "stop", category=2, reason="too close")
+
+    told = talk(served, dialogue)
+    assert [(one["category"], one["reason"]) for one in served.stops] == [(2, "too close")]
+    assert "a person" in told["reset"]
+
+
+@pytest.mark.requirement("F1")
+@pytest.mark.parametrize(
+    ("tool", "arguments"),
+    [
+        ("reset", {}),
+        ("start_task", {}),
+        ("start_task", {"text": 7}),
+        ("start_task", {"text": "wave\x00"}),
+        ("task_status", {"run": "run-9"}),
+        ("stop", {"category": 3}),
+        ("answer", {"text": ["red"]}),
+    ],
+)
+def test_a_bad_call_is_an_error_with_words_and_nothing_begins(served, tool, arguments):
+    async def dialogue(client):
+        try:
+            answer = await client.call_tool(tool, arguments)
+        except MCPError as wrong:
+            return str(wrong)
+        assert answer.is_error
+        return answer.content[0].text
+
+    assert talk(served, dialogue)
+    assert (served.said, served.stops) == ([], [])
+
+
+def test_the_skills_the_scene_and_the_last_report_are_resources(served):
+    async def dialogue(client):
+        names = {str(one.uri) for one in (await client.list_resources()).resources}
+        skills = (await client.read_resource("robot://skills")).contents[0].text
+        return names, skills
+
+    names, skills = talk(served, dialogue)
+    assert names == {"robot://skills", "robot://scene", "robot://report", "robot://picture"}
+    assert "pick: " in skills

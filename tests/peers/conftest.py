@@ -1,0 +1,88 @@
+"""A robot that is served with every door open, for programs that nobody here wrote."""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from executive.doors.served_robot import ServedRobot
+from robots.live.wire.errors import LiveError
+from tools.benchmark.peers.environments import ROS_NAMES, PeerEnvironment, default_cache
+
+PROGRAMS = Path(__file__).parent / "programs"
+READY_WITHIN_S = 240.0
+DOMAIN = 41
+
+
+@pytest.fixture(scope="session")
+def served(tmp_path_factory):
+    """The folder of a robot in the flat, with the ROS door open on a domain of its own."""
+    folder = tmp_path_factory.mktemp("live")
+    command = [sys.executable, "-m", "executive", "serve", "--scene", "flat", "--folder", str(folder)]
+    command += [
+        "--ordinary",
+        "--pace",
+        "0.5",
+        "--ros",
+        "--ros-domain",
+        str(DOMAIN),
+        "--record",
+        str(folder / "runs"),
+    ]
+    with subprocess.Popen(command) as process:
+        robot, began_s = ServedRobot(folder), time.monotonic()
+        while True:
+            try:
+                robot.status()
+                break
+            except LiveError:
+                assert process.poll() is None, "the robot is not served"
+                assert time.monotonic() - began_s < READY_WITHIN_S
+                time.sleep(0.5)
+        yield folder
+        process.terminate()
+        process.wait(30.0)
+
+
+@pytest.fixture(scope="session", params=ROS_NAMES)
+def rclpy(request):
+    """The interpreter of one distribution's rclpy; skipped, and named, where the registry gives none."""
+    environment = PeerEnvironment(request.param, default_cache())
+    if not environment.is_ready:
+        pytest.skip(
+            f"{environment.version} is not installed: python -m tools.benchmark.peers {request.param}"
+        )
+    return environment.python
+
+
+@pytest.fixture
+def peer(rclpy):
+    """Runs a program of ``programs`` by rclpy, and answers its process."""
+
+    def run(name, *arguments):
+        surroundings = {
+            **os.environ,
+            "ROS_DOMAIN_ID": str(DOMAIN),
+            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        }
+        surroundings.pop("PYTHONPATH", None)
+        command = [str(rclpy), str(PROGRAMS / name), *map(str, arguments)]
+        return subprocess.Popen(command, env=surroundings, stdout=subprocess.PIPE, text=True)
+
+    return run
+
+
+@pytest.fixture
+def at_rest(served):
+    """Waits until the robot has no task and stands."""
+
+    def wait(within_s=60.0):
+        robot, began_s = ServedRobot(served), time.monotonic()
+        while robot.status()["task"] is not None:
+            assert time.monotonic() - began_s < within_s, "the robot is still busy"
+            time.sleep(0.1)
+
+    return wait

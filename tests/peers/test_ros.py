@@ -1,0 +1,141 @@
+"""The ROS door, with rclpy of two distributions on the other side."""
+
+import contextlib
+import json
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+import executive.doors.ros.node
+from executive.doors.served_robot import ServedRobot
+from executive.live.caller.caller import ask_at
+from robots.live.wire.messages import Reset, write_control_message
+from robots.live.wire.runtime_folder import RuntimeFolder
+
+pytestmark = [pytest.mark.requirement("U3"), pytest.mark.timeout(400)]
+NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
+SENTENCES = ("wait for 0.5 seconds", "move forward at 0.8 m/s for 1 second", "wait for 100 seconds")
+DONE, LONG, TOO_FAST = 0, 2, 1
+SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
+
+
+def told(process, within_s=200.0):
+    """What a program printed as its last line."""
+    text, _ = process.communicate(timeout=within_s)
+    assert process.returncode == 0
+    return json.loads(text.strip().splitlines()[-1])
+
+
+def test_the_state_arrives_on_its_topics(served, peer):
+    seen = told(peer("watch.py", 8.0))
+
+    assert seen["topics"] == [
+        "/diagnostics", "/imu", "/joint_states", "/odom", "/robot_description", "/wrench/left_sole_link",
+    ]  # fmt: skip
+    assert seen["joints"] == seen["positions"] > 40
+    assert 0.5 < seen["height_m"] < 1.5
+    assert 8.0 < seen["up_m_s2"] < 11.0
+    assert seen["urdf"].lstrip().startswith("<")
+    assert set(seen["parts"]) == {"robot", "emergency stop", "task"}
+
+
+def test_the_bridge_is_a_node_of_the_graph_with_typed_topics(served, peer):
+    seen = told(peer("watch.py", 8.0))
+
+    assert "humanoid_executive" in seen["nodes"]
+    assert seen["types"]["/tf"] == ["tf2_msgs/msg/TFMessage"]
+    assert seen["types"]["/detections"] == ["vision_msgs/msg/Detection3DArray"]
+    assert seen["types"]["/cmd_vel"] == ["geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"]
+
+
+def test_a_sentence_is_carried_out_and_its_end_told(served, peer, at_rest):
+    at_rest()
+    lines = told(peer("say.py", "wait for 1 second", 60))
+
+    assert any("accepted" in line for line in lines)
+    assert lines[-1].startswith("done: ")
+
+
+def test_a_question_is_answered_on_its_topic(served, peer, at_rest):
+    at_rest()
+    lines = told(peer("say.py", "pick up", 60, "never mind"))
+
+    assert any("question" in line for line in lines)
+    assert lines[-1].startswith(("cancelled", "refused", "question"))
+
+
+def test_a_velocity_walks_and_a_silence_ends_the_walk(served, peer, at_rest):
+    at_rest()
+    there = told(peer("drive.py", "twist", 0.15, 0.0, 6.0))
+    at_rest()
+    back = told(peer("drive.py", "stamped", -0.15, 0.0, 6.0))
+
+    for gone in (there, back):
+        assert gone["gone_m"] > 0.15
+        assert gone["lines"][-1].startswith("done: ")
+
+
+@pytest.mark.requirement("S1")
+def test_a_velocity_beyond_the_limit_is_refused_with_the_limit(served, peer, at_rest):
+    at_rest()
+    gone = told(peer("drive.py", "twist", 2.0, 0.0, 0.5))
+
+    assert gone["gone_m"] < 0.02
+    assert any("beyond the limit of" in line for line in gone["lines"])
+
+
+@pytest.mark.requirement("S4")
+def test_the_emergency_stop_latches_and_false_does_not_release_it(served, peer, at_rest):
+    at_rest()
+    lines = told(peer("say.py", "wait for 100 seconds", 60, "stop"))
+    robot = ServedRobot(served)
+    try:
+        assert robot.status()["emergency"]
+        assert any("emergency stop engaged" in line for line in lines)
+    finally:
+        time.sleep(2.0)
+        ask_at(RuntimeFolder(served).control_socket, write_control_message(Reset("a test")))
+
+
+@contextlib.contextmanager
+def node(served, peer, tmp_path):
+    sentences = tmp_path / "sentences.txt"
+    sentences.write_text("\n".join(SENTENCES))
+    process = peer(NODE, served, "--sentences", sentences)
+    try:
+        yield
+    finally:
+        process.terminate()
+        process.wait(20.0)
+
+
+@pytest.mark.parametrize(("number", "status", "code"), [(DONE, SUCCEEDED, 0), (TOO_FAST, ABORTED, 2)])
+def test_the_action_ends_as_the_task_did(served, peer, at_rest, tmp_path, number, status, code):
+    at_rest()
+    with node(served, peer, tmp_path):
+        ended = told(peer("act.py", number))
+
+    assert (ended["status"], ended["exit_code"]) == (status, code)
+    assert ended["heard"] > 0
+
+
+@pytest.mark.requirement("S7")
+def test_a_cancel_of_the_action_cancels_the_task(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path):
+        ended = told(peer("act.py", LONG, "cancel", 2))
+
+    assert (ended["status"], ended["exit_code"]) == (CANCELED, 4)
+
+
+@pytest.mark.requirement("S7")
+def test_a_client_that_dies_is_a_cancel(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path):
+        client = peer("act.py", LONG, "die", 3)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            client.wait(60.0)
+        at_rest(60.0)
+        assert told(peer("act.py", DONE))["exit_code"] == 0
