@@ -31,7 +31,9 @@ class FollowTask:
 
 
 def _tree(_task: FollowTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+    from trees.skills.follow.tree import follow
+
+    return follow(toolbox)
 
 
 SKILL = Skill(task=FollowTask, tree=_tree, example="follow Ana", needs=frozenset({Need.LEGS}), goes_away=True)
