@@ -158,7 +158,7 @@ class Person:
         way_m: Points that the person walks to one after the other, and stays at the last one.
         speed_m_s: Of the walk.
         starts_s: Simulated time at which it begins.
-        follows: Whether the person walks behind the robot, once it has come near, instead of going a way.
+        follows: Whether the person walks behind the robot, once it has been near, instead of going a way.
     """
 
     name: str

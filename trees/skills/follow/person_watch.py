@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import ClassVar
 
 from kinematics.geometry.planar import PlanarPose
 from trees.beliefs.grounding.destination import Place
 from trees.skills.follow.person_track import PersonTrack
 from trees.toolbox import Toolbox
 
-_TILT_RAD = 0.2
-"""From chest to face of somebody at a metre, and the floor two metres ahead."""
-
 
 class PersonWatch:
     """Looks for one person in each picture, and tells where the head has to turn to keep them in view."""
+
+    TILT_RAD: ClassVar[float] = 0.2
+    """From chest to face of somebody at a metre, and the floor two metres ahead."""
 
     def __init__(self, toolbox: Toolbox, place: Place, still_m: float) -> None:
         """Begin where the person was found.
@@ -60,7 +61,7 @@ class PersonWatch:
         """
         x_m, y_m = self.track.place(self._toolbox.clock.now_s())
         seen = body.to(PlanarPose(x_m, y_m))
-        return math.atan2(seen.y_m, seen.x_m), _TILT_RAD
+        return math.atan2(seen.y_m, seen.x_m), self.TILT_RAD
 
     def unseen_s(self) -> float:
         """For how long the person was not seen."""

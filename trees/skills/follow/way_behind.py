@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
-from kinematics.walking.pattern.steering import PathSteering
+from kinematics.walking.pattern.steering import PACE, PathSteering
 from kinematics.walking.route.path_planning import blocked
 from kinematics.walking.route.room import WalkingRoom
 from kinematics.walking.route.ways import WayFinder
@@ -46,7 +46,9 @@ class WayBehind:
     People walk: where they are is told by the range sensor alone, and the one who is followed is left out.
     """
 
-    def __init__(self, toolbox: Toolbox, settings: WalkingSettings, room: WalkingRoom, pace: float) -> None:
+    def __init__(
+        self, toolbox: Toolbox, settings: WalkingSettings, room: WalkingRoom, pace: float = PACE
+    ) -> None:
         """Plan for a robot as it is now.
 
         Args:

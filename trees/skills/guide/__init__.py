@@ -31,7 +31,9 @@ class GuideTask:
 
 
 def _tree(_task: GuideTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+    from trees.skills.guide.tree import guide
+
+    return guide(toolbox)
 
 
 SKILL = Skill(

@@ -1,6 +1,7 @@
 """Somebody who walks behind the robot."""
 
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -20,7 +21,7 @@ def follower(speed_m_s=0.8):
 def led(person, *way, speed_m_s=0.4):
     """Walk the robot along some points; gives the least distance on the way."""
     least_m = math.inf
-    for start, end in zip(way, way[1:], strict=False):
+    for start, end in pairwise(way):
         count = math.ceil(math.dist(start, end) / (speed_m_s * PERIOD_S))
         for k in range(1, count + 1):
             share = k / count
