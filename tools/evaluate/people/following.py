@@ -11,9 +11,9 @@ from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from robots.scenes.scene_description import Person, RobotStart
 from tools.evaluate.people import ways
+from tools.evaluate.people.company import BAR, Company
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import Figure, SkillSuite, Trial, Verdict
-from tools.evaluate.skills.way_walked import WayWalked, feet_of
 from trees.events import Said
 from trees.skills.follow import FollowTask
 
@@ -30,55 +30,9 @@ STANDS_M = (0.8, 1.45)
 TOLD_S = 3.0
 GONE_AFTER_S = (1.5, 6.0)
 """From when she sets out."""
-_EVERY = 25
 
 
-class _Company:
-    """Measures how far apart robot and person are."""
-
-    def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
-        self._assembly, self._truth, self._scene = assembly, assembly.world.truth, trial.scene
-        self._person = next(one for one in trial.scene.people if one.name == trial.aim)
-        self._way = WayWalked(assembly)
-        self._periods = 0
-        self.nearest_m, self.farthest_m = math.inf, 0.0
-
-    def on_event(self, event: object) -> None:
-        """Nothing to note."""
-
-    def on_period(self) -> None:
-        """Measure from time to time."""
-        self._way.on_period()
-        self._periods += 1
-        if self._periods % _EVERY == 0 and self._truth.time_s >= self._person.starts_s:
-            apart_m = self.apart_m()
-            self.nearest_m = min(self.nearest_m, apart_m)
-            self.farthest_m = max(self.farthest_m, apart_m)
-
-    def at(self) -> ways.Point:
-        """Where the person truly is."""
-        solid = next(one for one in self._truth.solids() if one.name == self._person.name)
-        return float(solid.world_T_object[0, 3]), float(solid.world_T_object[1, 3])
-
-    def apart_m(self) -> float:
-        """Between the middles of both."""
-        feet = feet_of(self._assembly)
-        return math.dist((feet.x_m, feet.y_m), self.at())
-
-    def numbers(self, results: Sequence[TaskResult]) -> dict[str, Figure]:
-        """What every suite about company tells."""
-        return {
-            "speed_m_s": self._person.speed_m_s,
-            "way_m": ways.length_m(self._person.position_m, self._person.way_m),
-            "walked_m": self._way.length_m,
-            "nearest_m": min(self.nearest_m, 99.0),
-            "farthest_m": self.farthest_m,
-            "apart_m": self.apart_m(),
-            "took_s": results[-1].times.simulated_s,
-        }
-
-
-class FollowJudge(_Company):
+class FollowJudge(Company):
     """Whether the robot kept behind, and stands behind at the end."""
 
     def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
@@ -95,28 +49,28 @@ class FollowJudge(_Company):
         if self.farthest_m > FARTHEST_M:
             wrong.append(f"was {self.farthest_m:.2f} m behind")
         if to is not None:
-            region = next(one for one in self._scene.places if one.name == to)
+            region = next(one for one in self.scene.places if one.name == to)
             if not region.contains(x, y):
-                wrong.append(f"{self._person.name} is not in the {to}")
+                wrong.append(f"{self.person.name} is not in the {to}")
         else:
-            off_m = math.dist((x, y), self._person.way_m[-1])
+            off_m = math.dist((x, y), self.person.way_m[-1])
             if off_m > 0.01:
-                wrong.append(f"{self._person.name} is still on the way, {off_m:.2f} m from the end")
+                wrong.append(f"{self.person.name} is still on the way, {off_m:.2f} m from the end")
             if not STANDS_M[0] <= self.apart_m() <= STANDS_M[1]:
-                wrong.append(f"stands {self.apart_m():.2f} m from {self._person.name}")
+                wrong.append(f"stands {self.apart_m():.2f} m from {self.person.name}")
         numbers = self.numbers(results) | {"to": to or ""}
         return Verdict(not wrong, numbers, "; ".join(wrong))
 
 
-class LostJudge(_Company):
+class LostJudge(Company):
     """Takes the person away, and measures how long it takes until the robot says so."""
 
     def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
         super().__init__(assembly, trial, rng)
-        way_s = ways.length_m(self._person.position_m, self._person.way_m) / self._person.speed_m_s
+        way_s = ways.length_m(self.person.position_m, self.person.way_m) / self.person.speed_m_s
         latest_s = min(GONE_AFTER_S[1], way_s)
-        self._gone_s = self._person.starts_s + float(rng.uniform(min(GONE_AFTER_S[0], latest_s), latest_s))
-        assembly.world.walkers.gone_s[self._person.name] = self._gone_s
+        self._gone_s = self.person.starts_s + float(rng.uniform(min(GONE_AFTER_S[0], latest_s), latest_s))
+        assembly.world.walkers.gone_s[self.person.name] = self._gone_s
         self._told_s = math.inf
 
     def on_event(self, event: object) -> None:
@@ -130,10 +84,10 @@ class LostJudge(_Company):
         told = 0.0 <= after_s <= TOLD_S
         numbers: dict[str, Figure] = {
             "told_after_s": min(after_s, 99.0),
-            "walked_m": self._way.length_m,
+            "walked_m": self.walked_m,
             "took_s": results[-1].times.simulated_s,
         }
-        why = "" if told else f"told {after_s:.1f} s after {self._person.name} had gone"
+        why = "" if told else f"told {after_s:.1f} s after {self.person.name} had gone"
         return Verdict(told and results[-1].outcome != "done", numbers, why)
 
 
@@ -152,18 +106,17 @@ def lost_trial(rng: np.random.Generator) -> Trial:
 
 
 def _trial(rng: np.random.Generator) -> Trial | None:
-    flat = ways.furnished()
-    robot = ways.free_place(rng, flat, "living room", 0.95)
-    end = ways.free_place(rng, flat, ("kitchen", "living room")[int(rng.integers(2))], 0.8)
+    robot = ways.free_place(rng, "living room", 0.95)
+    end = ways.free_place(rng, ("kitchen", "living room")[int(rng.integers(2))], 0.8)
     if robot is None or end is None:
         return None
     far, bearing = float(rng.uniform(*FAR_M)), float(rng.uniform(-math.pi, math.pi))
     start = robot[0] + far * math.cos(bearing), robot[1] + far * math.sin(bearing)
     if not LENGTH_M[0] <= math.dist(start, end) <= LENGTH_M[1]:
         return None
-    if not ways.is_walked_away(start, (end,), robot) or not ways.is_free(flat, start):
+    if not ways.is_walked_away(start, (end,), robot) or not ways.is_free(start):
         return None
-    way = ways.way_to(flat, start, end)
+    way = ways.way_to(start, end)
     if way is None or not LENGTH_M[0] <= ways.length_m(start, way) <= LENGTH_M[1]:
         return None
     if not ways.is_walked_away(start, way, robot):
@@ -174,12 +127,12 @@ def _trial(rng: np.random.Generator) -> Trial | None:
     people = [Person(name, start, yaw, way_m=way, speed_m_s=speed, starts_s=starts)]
     if rng.random() < BYSTANDER_CHANCE:
         other = next(one for one in rooms.NAMES if one != name)
-        beside = ways.bystander(rng, flat, other, (robot, start, *way))
+        beside = ways.bystander(rng, other, (robot, start, *way))
         if beside is None:
             return None
         people.append(beside)
     heading = bearing + float(rng.uniform(-BEARING_RAD, BEARING_RAD))
-    scene = ways.peopled(flat, RobotStart(*robot, heading), people)
+    scene = ways.peopled(RobotStart(*robot, heading), people)
     if scene is None:
         return None
     kitchen = next(one for one in scene.places if one.name == "kitchen")
@@ -189,5 +142,5 @@ def _trial(rng: np.random.Generator) -> Trial | None:
     return Trial(scene, (FollowTask(f"follow {name}", name),), name)
 
 
-FOLLOW = SkillSuite(follow_trial, FollowJudge, stands=False)
-FOLLOW_LOST = SkillSuite(lost_trial, LostJudge, stands=False, ends="failed")
+FOLLOW = SkillSuite(follow_trial, FollowJudge, stands=False, bar=BAR)
+FOLLOW_LOST = SkillSuite(lost_trial, LostJudge, stands=False, ends="failed", bar=BAR)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
 
 from kinematics.geometry.planar import PlanarPose
-from kinematics.walking.route.path_planning import clearance_m, footprints, plan_path
+from kinematics.walking.route.path_planning import Footprint, clearance_m, footprints, plan_path
 from robots.errors import SceneError
 from robots.scenes.scene_description import Person, RobotStart, SceneDescription
 from robots.scenes.scene_file import load_scene, read_scene
@@ -30,23 +31,22 @@ _WALLS_M = 0.55
 _DRAWS = 2000
 
 
-def free_place(rng: np.random.Generator, scene: SceneDescription, room: str, from_m: float) -> Point | None:
+def free_place(rng: np.random.Generator, room: str, from_m: float) -> Point | None:
     """A place in a room that is so far from all furniture; None for a draw without luck."""
-    region = next(one for one in scene.places if one.name == room)
+    region = next(one for one in furnished().places if one.name == room)
     half = 0.5 * np.array(region.size_m) - _WALLS_M
     x, y = (np.array(region.position_m) + rng.uniform(-half, half)).tolist()
-    return (x, y) if is_free(scene, (x, y), from_m) else None
+    return (x, y) if is_free((x, y), from_m) else None
 
 
-def is_free(scene: SceneDescription, place: Point, from_m: float = 0.5) -> bool:
+def is_free(place: Point, from_m: float = 0.5) -> bool:
     """Whether a place is so far from all furniture."""
-    return clearance_m(footprints(planning_scene(scene)), PlanarPose(*place)) >= from_m
+    return clearance_m(_furniture(), PlanarPose(*place)) >= from_m
 
 
-def way_to(scene: SceneDescription, start: Point, end: Point) -> tuple[Point, ...] | None:
+def way_to(start: Point, end: Point) -> tuple[Point, ...] | None:
     """The corners of a way through the furniture, the end last; None where there is none."""
-    around = footprints(planning_scene(dataclasses.replace(scene, people=())))
-    path = plan_path(PlanarPose(*start), PlanarPose(*end), around, BESIDE_M)
+    path = plan_path(PlanarPose(*start), PlanarPose(*end), _furniture(), BESIDE_M)
     return None if path is None else tuple((pose.x_m, pose.y_m) for pose in path[1:])
 
 
@@ -65,25 +65,24 @@ def is_walked_away(start: Point, way: Sequence[Point], robot: Point) -> bool:
     return kept and all(abs(turn) <= SHARPEST_RAD for turn in turns)
 
 
-def bystander(
-    rng: np.random.Generator, scene: SceneDescription, name: str, ways: Sequence[Point]
-) -> Person | None:
+def bystander(rng: np.random.Generator, name: str, ways: Sequence[Point]) -> Person | None:
     """Somebody who stands about, away from ways; None for a draw without luck."""
     room = ("kitchen", "living room")[int(rng.integers(2))]
-    place = free_place(rng, scene, room, 0.45)
+    place = free_place(rng, room, 0.45)
     if place is None or min(_distance_m(place, a, b) for a, b in pairwise(ways)) < _FROM_BYSTANDER_M:
         return None
     return Person(name, place, float(rng.uniform(-math.pi, math.pi)))
 
 
+@cache
 def furnished() -> SceneDescription:
     """The flat without anybody."""
     return dataclasses.replace(load_scene("flat"), people=())
 
 
-def peopled(scene: SceneDescription, start: RobotStart, people: Sequence[Person]) -> SceneDescription | None:
+def peopled(start: RobotStart, people: Sequence[Person]) -> SceneDescription | None:
     """The flat with the robot and some people, as its file says it; None where that cannot be."""
-    full = dataclasses.replace(scene, robot_start=start, people=tuple(people))
+    full = dataclasses.replace(furnished(), robot_start=start, people=tuple(people))
     try:
         return read_scene(dump(full), "episode in the flat", "flat")
     except SceneError:
@@ -93,6 +92,11 @@ def peopled(scene: SceneDescription, start: RobotStart, people: Sequence[Person]
 def tries() -> range:
     """How often something is drawn before there is taken to be none."""
     return range(_DRAWS)
+
+
+@cache
+def _furniture() -> tuple[Footprint, ...]:
+    return footprints(planning_scene(furnished()))
 
 
 def _distance_m(point: Point, a: Point, b: Point) -> float:

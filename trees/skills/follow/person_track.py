@@ -61,9 +61,10 @@ class PersonTrack:
         if math.dist((x_m, y_m), self._rested) > self._still_m:
             self._rested, self._rested_s, self.walked = (x_m, y_m), seen_s, True
 
-    def still_s(self, now_s: float) -> float:
-        """For how long the person has stood."""
-        return now_s - self._rested_s
+    @property
+    def still_s(self) -> float:
+        """For how long the person was seen to stand; who is out of sight may have walked on."""
+        return self.seen_s - self._rested_s
 
     def velocity_m_s(self) -> tuple[float, float]:
         """How the person walked of late."""

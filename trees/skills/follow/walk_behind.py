@@ -10,7 +10,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.gazing import Gazing
 from kinematics.walking.pattern.steering import PathSteering
-from trees.beliefs.grounding.destination import Place
+from trees.beliefs.grounding.destination import Place, called
 from trees.events import Said
 from trees.failures import Failure, Number, Reason
 from trees.nodes.contract import Contract
@@ -28,6 +28,8 @@ _PLAN_EVERY_S = 0.4
 _GAZE_EVERY_S = 0.1
 _MOVED_M = 0.08
 """A person who has moved less since the way was planned is where it leads to."""
+_STEP_M = 0.1
+"""The way is added up in pieces of this length: less is the sway of a walk."""
 _ASIDE_RAD = 0.45
 """Who stands farther to a side is turned to: from there the person may walk out of the picture."""
 _SEEN_S = 0.3
@@ -64,7 +66,7 @@ class WalkBehind(WalkingLeaf):
         self._planned_s = self._gazed_s = -math.inf
         self._planned_for: tuple[float, float] | None = None
         self._steering: PathSteering | None = None
-        self._last: PlanarPose | None = None
+        self._last = body_pose(self.toolbox)
         self._walked_m = 0.0
 
     @property
@@ -86,10 +88,10 @@ class WalkBehind(WalkingLeaf):
             if self._handle.finished:
                 self._handle, self._stopping = None, False
         body = feet_pose(toolbox) if self._handle is None else body_pose(toolbox)
-        self._measure(body)
+        self._measure()
         if self._is_lost():
             return RUNNING if self._stop() else self._failure_of_loss()
-        outcome = self._outcome()
+        outcome = self._outcome(body)
         if outcome is not None:
             return RUNNING if self._stop() else self._concluded(outcome)
         if self._handle is None:
@@ -126,17 +128,22 @@ class WalkBehind(WalkingLeaf):
             Reason.PERSON_LOST
         )
 
-    def _outcome(self) -> str | Failure | None:
-        """How it has ended, in words; None while it goes on."""
+    def _outcome(self, body: PlanarPose) -> str | Failure | None:
+        """How it has ended, in words; None while it goes on. To its goal the robot comes as well."""
         settings, track = self._settings, self._watch.track
-        still_s = track.still_s(self.toolbox.clock.now_s())
+        still_s = track.still_s
         to = getattr(self.get_input("task"), "to", None)
         if to is not None and has_reached(self.toolbox, to, (track.x_m, track.y_m), settings.near_m):
-            return f"{self._name} has reached {to}"
+            behind_m = settings.near_m + settings.distance_m + settings.slack_m
+            followed = has_reached(self.toolbox, to, (body.x_m, body.y_m), behind_m)
+            stands = self._handle is None and still_s > settings.still_s
+            return f"{self._name} has reached {called(to)}" if followed or stands else None
         if not track.walked and still_s > settings.sets_out_s:
             return Failure.postcondition(f"{self._name} does not walk", stood_s=still_s)
         if to is not None and still_s > settings.stays_s:
-            return Failure.postcondition(f"{self._name} stands, and has not reached {to}", stood_s=still_s)
+            return Failure.postcondition(
+                f"{self._name} stands, and has not reached {called(to)}", stood_s=still_s
+            )
         stands = self._handle is None and track.walked and still_s > settings.still_s
         if to is not None or not stands:
             return None
@@ -159,10 +166,11 @@ class WalkBehind(WalkingLeaf):
 
     # ---------------------------------------------------------------- the walk
 
-    def _measure(self, body: PlanarPose) -> None:
-        if self._handle is not None and self._last is not None:
-            self._walked_m += body.distance_m(self._last)
-        self._last = body if self._handle is not None else None
+    def _measure(self) -> None:
+        body = body_pose(self.toolbox)
+        if (step_m := body.distance_m(self._last)) >= _STEP_M:
+            self._walked_m += step_m
+            self._last = body
 
     def _stop(self) -> bool:
         """Come to rest; whether the robot still moves."""
