@@ -19,7 +19,7 @@ from trees.nodes.ports import ports
 from trees.readings.odometry import body_pose, feet_pose
 from trees.skills.follow.person_watch import PersonWatch
 from trees.skills.follow.settings import FollowSettings
-from trees.skills.follow.way_behind import WayBehind, goal_behind
+from trees.skills.follow.way_behind import WayBehind
 from trees.skills.follow.whether_reached import has_reached
 from trees.skills.walking.walking_leaf import WalkingLeaf
 from trees.skills.walking.walking_room import walking_room
@@ -223,8 +223,7 @@ class WalkBehind(WalkingLeaf):
         self._planned_s = self.elapsed_s
         person = track.place(toolbox.clock.now_s())
         way = WayBehind(toolbox, settings, walking_room(toolbox, settings), self._settings.pace)
-        goal = goal_behind(body, person, self._settings.distance_m)
-        self._steering = way.find(body, goal, person)
+        self._steering = way.behind(body, person, self._settings.distance_m)
         self._planned_for = None if self._steering is None else (track.x_m, track.y_m)
         if self._steering is None:
             self.feedback_message = f"no way leads to {self._name} now"

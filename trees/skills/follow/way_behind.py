@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.walking.pattern.steering import PACE, PathSteering
-from kinematics.walking.route.path_planning import blocked
+from kinematics.walking.route.path_planning import Footprint, blocked, clearance_m
 from kinematics.walking.route.room import WalkingRoom
-from kinematics.walking.route.ways import WayFinder
+from kinematics.walking.route.ways import NoWay, WayFinder
 from trees.readings.around import what_is_around
 from trees.skills.walking.scan_without_load import without_held
 from trees.skills.walking.seen_points import SeenPoints
@@ -23,21 +25,26 @@ _STRAIGHT_M = 0.60
 _PERSON_M = 0.50
 """What is seen so near to the person is the person."""
 _SAMPLE_M = 0.05
+_GOAL_M = 0.55
+"""A stretch ends so far from everything: nearer a robot with its arms drawn in has no room to turn."""
+_ASIDE_RAD = (0.0, 0.35, -0.35, 0.7, -0.7, 1.05, -1.05)
+_STANDS = tuple((farther_m, aside) for farther_m in (0.0, 0.4, 0.8) for aside in _ASIDE_RAD)
+"""Where to stand for a person: how much farther away than usual, and how far to a side of straight."""
 
 
-def goal_behind(body: PlanarPose, person: tuple[float, float], distance_m: float) -> PlanarPose:
-    """Where to stand, facing the person: on this side, or here where that is nearer already.
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """What is around at one moment: what is believed without people, what that takes, and what is seen."""
 
-    Args:
-        body: Where the robot is, in the odometry frame.
-        person: Place of the person there, m.
-        distance_m: To keep.
-    """
-    x, y = person
-    heading = math.atan2(y - body.y_m, x - body.x_m)
-    if math.dist((x, y), (body.x_m, body.y_m)) <= distance_m:
-        return PlanarPose(body.x_m, body.y_m, heading)
-    return PlanarPose(x - distance_m * math.cos(heading), y - distance_m * math.sin(heading), heading)
+    scene: PlanningScene
+    obstacles: tuple[Footprint, ...]
+    points: Array
+
+    def apart_m(self, place: PlanarPose, points_m: float) -> float:
+        """Distance of a place to the nearest thing; each point that is seen takes so much all around."""
+        away = self.points - (place.x_m, place.y_m)
+        seen_m = float(np.hypot(away[:, 0], away[:, 1]).min(initial=math.inf)) - points_m
+        return min(clearance_m(self.obstacles, place), seen_m)
 
 
 class WayBehind:
@@ -58,37 +65,59 @@ class WayBehind:
             pace: Share of the longest step.
         """
         self._toolbox, self._settings, self._room, self._pace = toolbox, settings, room, pace
-        self.silent = False
 
-    def find(
-        self, body: PlanarPose, goal: PlanarPose, person: tuple[float, float] | None = None
-    ) -> PathSteering | None:
+    def to(self, body: PlanarPose, goal: PlanarPose) -> PathSteering | None:
         """The way to a goal; None where there is none now.
 
         Args:
-            body: Where the robot is.
-            goal: Where it is to go.
-            person: Who is followed; what is seen there is no obstacle.
+            body: Where the robot is, in the odometry frame.
+            goal: Where it is to stand.
         """
-        around = what_is_around(self._toolbox)
+        return self._find(body, goal, self._around(body, None))
+
+    def behind(self, body: PlanarPose, person: tuple[float, float], distance_m: float) -> PathSteering | None:
+        """The way to somebody, and to face them; None where there is none now.
+
+        It ends on this side of the person, or where the robot is if that is near enough. Where something
+        stands there it ends beside that, or farther away.
+
+        Args:
+            body: Where the robot is, in the odometry frame.
+            person: Place of the person there, m.
+            distance_m: To keep.
+        """
+        x, y = person
+        around = self._around(body, person)
+        direct = math.atan2(y - body.y_m, x - body.x_m)
+        if math.dist((x, y), (body.x_m, body.y_m)) <= distance_m:
+            return self._find(body, PlanarPose(body.x_m, body.y_m, direct), around)
+        for farther_m, aside in _STANDS:
+            away_m, heading = distance_m + farther_m, direct + aside
+            goal = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+            if around.apart_m(goal, self._room.widest_m) >= _GOAL_M:
+                return self._find(body, goal, around)
+        return None
+
+    def _around(self, body: PlanarPose, person: tuple[float, float] | None) -> _Around:
         scene = self._toolbox.world.scene
-        for thing in around.things:
+        for thing in what_is_around(self._toolbox).things:
             if thing.is_person and thing.name in scene.objects:
                 scene = scene.without_object(thing.name)
         obstacles = self._room.footprints(scene)
         seen = SeenPoints(self._toolbox.ranging)
         seen.look(body, lambda scan: without_held(self._toolbox, scan))
-        self.silent = seen.silent
         points = seen.beside(obstacles)
-        if person is not None and len(points):
+        if person is not None:
             points = points[np.hypot(points[:, 0] - person[0], points[:, 1] - person[1]) > _PERSON_M]
+        return _Around(scene, obstacles, points)
+
+    def _find(self, body: PlanarPose, goal: PlanarPose, around: _Around) -> PathSteering | None:
         line = _along(body, goal)
-        straight = all(float(one.distance_m(line).min()) > _STRAIGHT_M for one in obstacles)
-        if straight and not blocked((body, goal), points, _STRAIGHT_M + self._room.widest_m):
+        straight = all(float(one.distance_m(line).min()) > _STRAIGHT_M for one in around.obstacles)
+        if straight and not blocked((body, goal), around.points, _STRAIGHT_M + self._room.widest_m):
             return PathSteering(self._settings, (body, goal), self._pace)
-        way = WayFinder(self._settings, self._room, scene, points, 0.0).find(body, goal)
-        path = getattr(way, "path", None)
-        return None if path is None else PathSteering(self._settings, (*path, goal), self._pace)
+        way = WayFinder(self._settings, self._room, around.scene, around.points, 0.0).find(body, goal)
+        return None if isinstance(way, NoWay) else PathSteering(self._settings, (*way.path, goal), self._pace)
 
 
 def _along(start: PlanarPose, end: PlanarPose) -> Array:

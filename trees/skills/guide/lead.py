@@ -113,7 +113,7 @@ class Lead(WalkingLeaf):
         if self.elapsed_s - self._planned_s >= _PLAN_EVERY_S:
             self._planned_s = self.elapsed_s
             way = WayBehind(self.toolbox, settings, walking_room(self.toolbox, settings))
-            steering = way.find(body, self._goal)
+            steering = way.to(body, self._goal)
             if steering is None:
                 return self._barred()
             self._barred_s = None
