@@ -9,7 +9,6 @@ from py_trees.common import Status
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.gazing import Gazing
-from kinematics.walking.pattern.steering import PathSteering
 from trees.beliefs.grounding.destination import Place, called
 from trees.events import Said
 from trees.failures import Failure, Number, Reason
@@ -19,7 +18,7 @@ from trees.nodes.ports import ports
 from trees.readings.odometry import body_pose, feet_pose
 from trees.skills.follow.person_watch import PersonWatch
 from trees.skills.follow.settings import FollowSettings
-from trees.skills.follow.way_behind import WayBehind
+from trees.skills.follow.way_behind import Stretch, WayBehind
 from trees.skills.follow.whether_reached import has_reached
 from trees.skills.walking.walking_leaf import WalkingLeaf
 from trees.skills.walking.walking_room import walking_room
@@ -65,7 +64,7 @@ class WalkBehind(WalkingLeaf):
         self._lost = self._stopping = False
         self._planned_s = self._gazed_s = -math.inf
         self._planned_for: tuple[float, float] | None = None
-        self._steering: PathSteering | None = None
+        self._stretch: Stretch | None = None
         self._last = body_pose(self.toolbox)
         self._walked_m = 0.0
 
@@ -191,42 +190,52 @@ class WalkBehind(WalkingLeaf):
         if not due or not (too_far or aside) or self.toolbox.walking is None:
             return
         self._plan(settings, body)
-        if self._steering is not None:
-            self._handle = self.toolbox.walking.walk(self._gazing(self._steering, body), "walk behind")
+        if self._stretch is not None:
+            self._handle = self.toolbox.walking.walk(self._gazing(self._stretch, body), "walk behind")
 
     def _go_on(self, settings: WalkingSettings, body: PlanarPose) -> None:
         """Keep to where the person is by now, and stop in time."""
-        toolbox, track = self.toolbox, self._watch.track
+        toolbox = self.toolbox
         if self._handle is None or toolbox.walking is None:
             return
         away_m = self._away_m(body)
         self.feedback_message = f"{away_m:.1f} m behind {self._name}"
-        turning = self._steering is not None and body.distance_m(self._steering.goal) < _MOVED_M
+        turning = self._stretch is not None and body.distance_m(self._stretch.steering.goal) < _MOVED_M
         if away_m < self._settings.nearest_m and not turning:
             self._stop()
             return
-        moved_m = math.inf
-        if self._planned_for is not None:
-            moved_m = math.dist(self._planned_for, (track.x_m, track.y_m))
-        if self.elapsed_s - self._planned_s >= _PLAN_EVERY_S and moved_m > _MOVED_M:
+        if self.elapsed_s - self._planned_s >= _PLAN_EVERY_S and self._has_changed(settings, body):
             self._plan(settings, body)
-            if self._steering is None:
+            if self._stretch is None:
                 self._stop()
                 return
             self._gazed_s = -math.inf
-        if self._steering is not None and self.elapsed_s - self._gazed_s >= _GAZE_EVERY_S:
+        if self._stretch is not None and self.elapsed_s - self._gazed_s >= _GAZE_EVERY_S:
             self._gazed_s = self.elapsed_s
-            toolbox.walking.steer(self._handle, self._gazing(self._steering, body))
+            toolbox.walking.steer(self._handle, self._gazing(self._stretch, body))
+
+    def _has_changed(self, settings: WalkingSettings, body: PlanarPose) -> bool:
+        """Whether the person has gone on, or something has come into the way."""
+        track = self._watch.track
+        self._planned_s = self.elapsed_s
+        if self._planned_for is None or self._stretch is None:
+            return True
+        at = track.x_m, track.y_m
+        if math.dist(self._planned_for, at) > _MOVED_M:
+            return True
+        return not self._ways(settings).is_free(body, self._stretch, at)
 
     def _plan(self, settings: WalkingSettings, body: PlanarPose) -> None:
         toolbox, track = self.toolbox, self._watch.track
         self._planned_s = self.elapsed_s
         person = track.place(toolbox.clock.now_s())
-        way = WayBehind(toolbox, settings, walking_room(toolbox, settings), self._settings.pace)
-        self._steering = way.behind(body, person, self._settings.distance_m)
-        self._planned_for = None if self._steering is None else (track.x_m, track.y_m)
-        if self._steering is None:
+        self._stretch = self._ways(settings).behind(body, person, self._settings.distance_m)
+        self._planned_for = track.x_m, track.y_m
+        if self._stretch is None:
             self.feedback_message = f"no way leads to {self._name} now"
 
-    def _gazing(self, steering: PathSteering, body: PlanarPose) -> Gazing:
-        return Gazing(steering, *self._watch.gaze_rad(body))
+    def _ways(self, settings: WalkingSettings) -> WayBehind:
+        return WayBehind(self.toolbox, settings, walking_room(self.toolbox, settings), self._settings.pace)
+
+    def _gazing(self, stretch: Stretch, body: PlanarPose) -> Gazing:
+        return Gazing(stretch.steering, *self._watch.gaze_rad(body))

@@ -25,6 +25,8 @@ _STRAIGHT_M = 0.60
 _PERSON_M = 0.50
 """What is seen so near to the person is the person."""
 _SAMPLE_M = 0.05
+_LESS_M = 0.03
+"""What is seen by so much nearer than it was is where it was: scans are not exact, and walks sway."""
 _GOAL_M = 0.55
 """A stretch ends so far from everything: nearer a robot with its arms drawn in has no room to turn."""
 _ASIDE_RAD = (0.0, 0.35, -0.35, 0.7, -0.7, 1.05, -1.05)
@@ -47,6 +49,27 @@ class _Around:
         return min(clearance_m(self.obstacles, place), seen_m)
 
 
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A way that was planned.
+
+    Attributes:
+        steering: Walks it.
+        clearance_m: How far it stays from what is as tall as the hands, besides what that takes by itself.
+    """
+
+    steering: PathSteering
+    clearance_m: float
+
+    def left_from(self, body: PlanarPose) -> tuple[PlanarPose, ...]:
+        """What is left of it for a body that is here now."""
+        path = self.steering.path
+        nearest = min(
+            range(1, len(path)), key=lambda k: _apart_m(path[k - 1], path[k], body), default=len(path)
+        )
+        return (body, *path[nearest:])
+
+
 class WayBehind:
     """Plans stretches among what is believed and what is seen at the moment, people aside.
 
@@ -66,7 +89,7 @@ class WayBehind:
         """
         self._toolbox, self._settings, self._room, self._pace = toolbox, settings, room, pace
 
-    def to(self, body: PlanarPose, goal: PlanarPose) -> PathSteering | None:
+    def to(self, body: PlanarPose, goal: PlanarPose) -> Stretch | None:
         """The way to a goal; None where there is none now.
 
         Args:
@@ -75,7 +98,7 @@ class WayBehind:
         """
         return self._find(body, goal, self._around(body, None))
 
-    def behind(self, body: PlanarPose, person: tuple[float, float], distance_m: float) -> PathSteering | None:
+    def behind(self, body: PlanarPose, person: tuple[float, float], distance_m: float) -> Stretch | None:
         """The way to somebody, and to face them; None where there is none now.
 
         It ends on this side of the person, or where the robot is if that is near enough. Where something
@@ -98,6 +121,21 @@ class WayBehind:
                 return self._find(body, goal, around)
         return None
 
+    def is_free(self, body: PlanarPose, stretch: Stretch, person: tuple[float, float] | None = None) -> bool:
+        """Whether what is left of a stretch is as free as when it was planned, or as the place here is.
+
+        Who plans anew each time goes now to one side of something, now to the other.
+
+        Args:
+            body: Where the robot is, in the odometry frame.
+            stretch: The way that it is on.
+            person: Place of who is followed, if anybody is.
+        """
+        around = self._around(body, person)
+        here_m = around.apart_m(body, self._room.widest_m)
+        within_m = min(stretch.clearance_m - _LESS_M, here_m) + self._room.widest_m
+        return not blocked(stretch.left_from(body), around.points, within_m - _LESS_M)
+
     def _around(self, body: PlanarPose, person: tuple[float, float] | None) -> _Around:
         scene = self._toolbox.world.scene
         for thing in what_is_around(self._toolbox).things:
@@ -111,13 +149,22 @@ class WayBehind:
             points = points[np.hypot(points[:, 0] - person[0], points[:, 1] - person[1]) > _PERSON_M]
         return _Around(scene, obstacles, points)
 
-    def _find(self, body: PlanarPose, goal: PlanarPose, around: _Around) -> PathSteering | None:
+    def _find(self, body: PlanarPose, goal: PlanarPose, around: _Around) -> Stretch | None:
         line = _along(body, goal)
         straight = all(float(one.distance_m(line).min()) > _STRAIGHT_M for one in around.obstacles)
         if straight and not blocked((body, goal), around.points, _STRAIGHT_M + self._room.widest_m):
-            return PathSteering(self._settings, (body, goal), self._pace)
+            return Stretch(PathSteering(self._settings, (body, goal), self._pace), _STRAIGHT_M)
         way = WayFinder(self._settings, self._room, around.scene, around.points, 0.0).find(body, goal)
-        return None if isinstance(way, NoWay) else PathSteering(self._settings, (*way.path, goal), self._pace)
+        if isinstance(way, NoWay):
+            return None
+        return Stretch(PathSteering(self._settings, (*way.path, goal), self._pace), way.clearance_m)
+
+
+def _apart_m(a: PlanarPose, b: PlanarPose, place: PlanarPose) -> float:
+    dx, dy = b.x_m - a.x_m, b.y_m - a.y_m
+    length = max(dx * dx + dy * dy, 1e-12)
+    share = min(max(((place.x_m - a.x_m) * dx + (place.y_m - a.y_m) * dy) / length, 0.0), 1.0)
+    return math.hypot(a.x_m + share * dx - place.x_m, a.y_m + share * dy - place.y_m)
 
 
 def _along(start: PlanarPose, end: PlanarPose) -> Array:

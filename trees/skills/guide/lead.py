@@ -20,7 +20,7 @@ from trees.nodes.ports import ports
 from trees.readings.odometry import body_pose, feet_pose
 from trees.skills.follow.person_watch import PersonWatch
 from trees.skills.follow.settings import FollowSettings
-from trees.skills.follow.way_behind import WayBehind
+from trees.skills.follow.way_behind import Stretch, WayBehind
 from trees.skills.guide.settings import GuideSettings
 from trees.skills.walking.standing_place import standing_place
 from trees.skills.walking.walking_leaf import WalkingLeaf
@@ -71,6 +71,7 @@ class Lead(WalkingLeaf):
         self._doing: Doing = "leading"
         self._stopping = False
         self._steering: Steering | None = None
+        self._stretch: Stretch | None = None
         self._planned_s = self._gazed_s = -math.inf
         self._barred_s: float | None = None
         self._trail: list[PlanarPose] = [body]
@@ -113,11 +114,13 @@ class Lead(WalkingLeaf):
         if self.elapsed_s - self._planned_s >= _PLAN_EVERY_S:
             self._planned_s = self.elapsed_s
             way = WayBehind(self.toolbox, settings, walking_room(self.toolbox, settings))
-            steering = way.to(body, self._goal)
-            if steering is None:
-                return self._barred()
-            self._barred_s = None
-            self._walk(Gazing(steering, 0.0, self._watch.TILT_RAD))
+            kept = self._stretch
+            if self._handle is None or kept is None or not way.is_free(body, kept):
+                self._stretch = way.to(body, self._goal)
+                if self._stretch is None:
+                    return self._barred()
+                self._barred_s = None
+                self._walk(Gazing(self._stretch.steering, 0.0, self._watch.TILT_RAD))
         return RUNNING
 
     def _barred(self) -> Status | Failure:
@@ -162,6 +165,7 @@ class Lead(WalkingLeaf):
         if in_view and away_m <= self._settings.near_m:
             if body.distance_m(self._goal) >= 2.0 * _THERE_M:
                 self._doing, self._since_look_m, self._planned_s = "leading", 0.0, -math.inf
+                self._stretch = None
                 return RUNNING
             return RUNNING if self._stop() else self._arrived(away_m)
         if self._handle is not None:
