@@ -59,7 +59,6 @@ class WalkBehind(WalkingLeaf):
     def begin(self) -> None:
         """Nothing has moved yet."""
         super().begin()
-        self._settings = self.toolbox.policy.of(FollowSettings)
         self._watch = PersonWatch(self.toolbox, self.get_input("place"), self._settings.still_m)
         self._lost = self._stopping = False
         self._planned_s = self._gazed_s = -math.inf
@@ -67,6 +66,10 @@ class WalkBehind(WalkingLeaf):
         self._stretch: Stretch | None = None
         self._last = body_pose(self.toolbox)
         self._walked_m = 0.0
+
+    @property
+    def _settings(self) -> FollowSettings:
+        return self.toolbox.policy.of(FollowSettings)
 
     @property
     def deadline_s(self) -> float:

@@ -62,7 +62,6 @@ class Lead(WalkingLeaf):
         """Nothing has moved yet."""
         super().begin()
         toolbox = self.toolbox
-        self._settings = toolbox.policy.of(GuideSettings)
         still_m = toolbox.policy.of(FollowSettings).still_m
         self._watch = PersonWatch(toolbox, self.get_input("place"), still_m)
         body = feet_pose(toolbox)
@@ -78,6 +77,10 @@ class Lead(WalkingLeaf):
         self._walked_m = self._since_look_m = 0.0
         self._looks = self._turns = 0
         self._waited_from_s = self._stood_s = 0.0
+
+    @property
+    def _settings(self) -> GuideSettings:
+        return self.toolbox.policy.of(GuideSettings)
 
     @property
     def deadline_s(self) -> float:
