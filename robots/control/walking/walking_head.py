@@ -30,8 +30,8 @@ class WalkingHead:
             q: Configuration now, shape (nq,).
             period_s: The control period.
         """
-        camera, limits = model.description.camera, model.description.limits
-        self._names = [name for name in (camera.pan_joint, camera.tilt_joint) if name in limits]
+        camera, limits = model.description.head_camera, model.description.limits
+        self._names = [] if camera is None else [camera.pan_joint, camera.tilt_joint]
         self.columns: NDArray[np.intp] = np.array(
             [7 + model.joint_index(name) for name in self._names], dtype=np.intp
         )
@@ -50,7 +50,6 @@ class WalkingHead:
             for name, column in zip(self._names, self.columns.tolist(), strict=True)
         ]
         self._wanted: list[float] | None = None
-        self._pan, self._tilt = camera.pan_joint, camera.tilt_joint
 
     @property
     def at_rest(self) -> bool:
@@ -59,10 +58,9 @@ class WalkingHead:
 
     def look(self, pan_rad: float, tilt_rad: float) -> None:
         """Turn there; as far as the joints go."""
-        wanted = {self._pan: pan_rad, self._tilt: tilt_rad}
         self._wanted = [
-            min(max(wanted[name], low), high)
-            for name, (low, high) in zip(self._names, self._range, strict=True)
+            min(max(wanted, low), high)
+            for wanted, (low, high) in zip((pan_rad, tilt_rad), self._range, strict=False)
         ]
 
     def advance(self, *, resting: bool) -> Array | None:
