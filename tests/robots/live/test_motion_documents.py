@@ -139,7 +139,8 @@ def test_the_pace_of_a_path_comes_back(talos):
 @pytest.mark.requirement("F4", "F8")
 @pytest.mark.parametrize(
     "document",
-    ['{"kind": "path", "path": [[0, 0, 0]], "pace": 1.5}', '{"kind": "path", "path": [[0, 0, 0]], "gaze": {}}',
+    ['{"kind": "path", "path": [[0, 0, 0]], "pace": 1.5}',
+     '{"kind": "path", "path": [[0, 0, 0]], "gaze": {}}',
      '{"kind": "velocity", "linear_m_s": 99, "angular_rad_s": 0}', '{"kind": "path", "path": []}',
      '{"kind": "path", "path": [[0, 0]]}', '{"kind": "fly"}', "[]", "{"],
 )  # fmt: skip

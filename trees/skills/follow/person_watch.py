@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import ClassVar
+
+import numpy as np
 
 from kinematics.geometry.planar import PlanarPose
 from trees.beliefs.grounding.destination import Place
 from trees.skills.follow.person_track import PersonTrack
 from trees.toolbox import Toolbox
+
+_FRESH_S = 0.5
+"""Who was seen so recently is there."""
+_MOVED_M = 0.05
 
 
 class PersonWatch:
@@ -66,3 +73,19 @@ class PersonWatch:
     def unseen_s(self) -> float:
         """For how long the person was not seen."""
         return self._toolbox.clock.now_s() - self.track.seen_s
+
+    def believe(self) -> None:
+        """Have the world model believe the person to be where they were seen last, or nowhere known.
+
+        Who has walked on is no obstacle where they stood; looks of later tasks show them again.
+        """
+        world, name = self._toolbox.world, self.track.name
+        item = world.scene.objects.get(name)
+        if item is None:
+            return
+        place = item.world_T_object.copy()
+        place[:2, 3] = self.track.x_m, self.track.y_m
+        if self.unseen_s() > _FRESH_S:
+            world.update(world.scene.without_object(name))
+        elif float(np.hypot(*(place - item.world_T_object)[:2, 3])) > _MOVED_M:
+            world.update(world.scene.with_object(replace(item, world_T_object=place)))

@@ -19,7 +19,6 @@ class SeeAgain(LookAround):
     """Look once for the person whom the robot had in view before; somebody else does not do."""
 
     ASKS = True
-    LOOKING_ON = True
     INPUT_PORTS = ports(known=Place)
     OUTPUT_PORTS = ports(place=Place)
     CONTRACT = Contract(

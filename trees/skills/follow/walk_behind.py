@@ -125,6 +125,7 @@ class WalkBehind(WalkingLeaf):
 
     def _failure_of_loss(self) -> Failure:
         unseen_s = self._watch.unseen_s()
+        self._watch.believe()
         message = f"I lost {self._name}"
         return Failure.postcondition(message, unseen_s=unseen_s, walked_m=self._walked_m).because(
             Reason.PERSON_LOST
@@ -152,6 +153,7 @@ class WalkBehind(WalkingLeaf):
         return f"{self._name} stands"
 
     def _concluded(self, outcome: str | Failure) -> Status | Failure:
+        self._watch.believe()
         if isinstance(outcome, Failure):
             return outcome
         away_m = self._away_m(feet_pose(self.toolbox))

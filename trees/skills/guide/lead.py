@@ -190,6 +190,7 @@ class Lead(WalkingLeaf):
             return RUNNING
         if waited_s <= self._settings.waits_s:
             return RUNNING
+        self._watch.believe()
         if in_view:
             message = f"{name} does not come along"
             return Failure.postcondition(message, away_m=away_m, waited_s=waited_s)
@@ -201,6 +202,7 @@ class Lead(WalkingLeaf):
         )
 
     def _arrived(self, away_m: float) -> Status:
+        self._watch.believe()
         evidence: dict[str, Number] = {
             "guided": self._watch.track.name,
             "to": self._there,
