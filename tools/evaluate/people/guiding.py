@@ -20,6 +20,8 @@ from trees.skills.guide import GuideTask
 SPEED_M_S = (0.4, 0.9)
 FAR_M = (1.4, 3.0)
 BEARING_RAD = math.radians(40.0)
+DOORWAY_M, FROM_DOORWAY_M = (2.4, 0.6), 1.4
+"""Nobody stands in the doorway who is to be led through it."""
 BYSTANDER_CHANCE = 0.5
 NEAREST_M = 0.6
 TOGETHER_M = 2.2
@@ -77,6 +79,8 @@ def _trial(rng: np.random.Generator) -> Trial | None:
     robot = ways.free_place(rng, _ROOMS[here], 0.95)
     place = ways.free_place(rng, _ROOMS[here], 0.7)
     if robot is None or place is None or not FAR_M[0] <= math.dist(robot, place) <= FAR_M[1]:
+        return None
+    if math.dist(place, DOORWAY_M) < FROM_DOORWAY_M:
         return None
     name = rooms.NAMES[int(rng.integers(len(rooms.NAMES)))]
     speed, yaw = float(rng.uniform(*SPEED_M_S)), float(rng.uniform(-math.pi, math.pi))

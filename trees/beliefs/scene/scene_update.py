@@ -51,8 +51,9 @@ def updated_scene(
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
     Names are kept from look to look. Furniture is never dropped: it does not walk away, and a
-    robot that forgets a table runs into it. People do walk: who is recognised elsewhere is there. An object that was not seen is kept only where it may be
-    out of view or hidden, and only while no other of its kind and colour has appeared (then it moved).
+    robot that forgets a table runs into it. People do walk: who is recognised elsewhere is there.
+    An object that was not seen is kept only where it may be out of view or hidden, and only while no
+    other of its kind and colour has appeared (then it moved).
 
     Args:
         scene: What was believed before.

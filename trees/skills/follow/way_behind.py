@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,7 +26,7 @@ _STRAIGHT_M = 0.60
 _PERSON_M = 0.50
 """What is seen so near to the person is the person."""
 _SAMPLE_M = 0.05
-_LESS_M = 0.03
+_LESS_M = 0.08
 """What is seen by so much nearer than it was is where it was: scans are not exact, and walks sway."""
 _GOAL_M = 0.55
 """A stretch ends so far from everything: nearer a robot with its arms drawn in has no room to turn."""
@@ -55,7 +56,7 @@ class Stretch:
 
     Attributes:
         steering: Walks it.
-        clearance_m: How far it stays from what is as tall as the hands, besides what that takes by itself.
+        clearance_m: How far it stays from all that was seen when it was planned, or farther.
     """
 
     steering: PathSteering
@@ -122,7 +123,7 @@ class WayBehind:
         return None
 
     def is_free(self, body: PlanarPose, stretch: Stretch, person: tuple[float, float] | None = None) -> bool:
-        """Whether what is left of a stretch is as free as when it was planned, or as the place here is.
+        """Whether what is left of a stretch is as free as when it was planned.
 
         Who plans anew each time goes now to one side of something, now to the other.
 
@@ -131,10 +132,8 @@ class WayBehind:
             stretch: The way that it is on.
             person: Place of who is followed, if anybody is.
         """
-        around = self._around(body, person)
-        here_m = around.apart_m(body, self._room.widest_m)
-        within_m = min(stretch.clearance_m - _LESS_M, here_m) + self._room.widest_m
-        return not blocked(stretch.left_from(body), around.points, within_m - _LESS_M)
+        points = self._around(body, person).points
+        return not blocked(stretch.left_from(body), points, stretch.clearance_m - _LESS_M)
 
     def _around(self, body: PlanarPose, person: tuple[float, float] | None) -> _Around:
         scene = self._toolbox.world.scene
@@ -153,11 +152,18 @@ class WayBehind:
         line = _along(body, goal)
         straight = all(float(one.distance_m(line).min()) > _STRAIGHT_M for one in around.obstacles)
         if straight and not blocked((body, goal), around.points, _STRAIGHT_M + self._room.widest_m):
-            return Stretch(PathSteering(self._settings, (body, goal), self._pace), _STRAIGHT_M)
+            return self._stretch((body, goal), around)
         way = WayFinder(self._settings, self._room, around.scene, around.points, 0.0).find(body, goal)
         if isinstance(way, NoWay):
             return None
-        return Stretch(PathSteering(self._settings, (*way.path, goal), self._pace), way.clearance_m)
+        return self._stretch((*way.path, goal), around)
+
+    def _stretch(self, path: tuple[PlanarPose, ...], around: _Around) -> Stretch:
+        """The way with how near it comes to what is seen: so much has to be left of it later."""
+        line = np.concatenate([_along(a, b) for a, b in pairwise(path)])
+        away = line[:, None, :] - around.points[None, :, :]
+        nearest_m = float(np.hypot(away[..., 0], away[..., 1]).min(initial=_STRAIGHT_M))
+        return Stretch(PathSteering(self._settings, path, self._pace), nearest_m)
 
 
 def _apart_m(a: PlanarPose, b: PlanarPose, place: PlanarPose) -> float:
