@@ -52,6 +52,7 @@ class Reason(Enum):
     MORE_LOOKS_NEEDED = "only looks to the sides as well can say which thing is meant"
     SEVERAL_FIT = "several things fit; a person has to say which one is meant"
     NOBODY_SEEN = "a look all around has shown no person"
+    PERSON_LOST = "somebody who was followed or guided is out of sight"
     NO_FURNITURE_LEFT = "no furniture is left that was not looked at from nearby"
     NO_ROOMS_LEFT = "no room of the map is left that nobody has looked around in"
     NO_OUTLOOKS_LEFT = "nothing tall is left that nobody has looked behind"

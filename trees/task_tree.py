@@ -203,4 +203,7 @@ def _verb(task: Task) -> str:
         return verb
     said = "it" if hasattr(task, "words") else ""
     toward = "" if skill is None else skill.toward
+    person, to = getattr(task, "person", None), getattr(task, "to", None)
+    if person is not None and to is not None:
+        return " ".join(word for word in (verb, toward, called(person), "to", called(to)) if word)
     return " ".join(word for word in (verb, said, toward, called(aim)) if word)

@@ -95,7 +95,10 @@ class MotionControl(Protocol):
 
 
 class Walking(Protocol):
-    """Starts, steers and ends walks; while a walk is under way nothing else moves the body."""
+    """Starts, steers and ends walks; while a walk is under way nothing else moves the body.
+
+    The head looks where a ``Gazing`` steering says.
+    """
 
     @property
     def active(self) -> bool:

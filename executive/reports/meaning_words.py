@@ -30,7 +30,8 @@ def meaning_words(meaning: Mapping[str, Any]) -> str:
         words.append(_called(meaning["object"], "every" if action == "count" else "the"))
     if "text" in meaning:
         words.append(f'"{meaning["text"]}"')
-    for slot, before in (("to", toward), ("person", toward), ("on", "on"), ("from", "from")):
+    where = "to" if "person" in meaning else toward
+    for slot, before in (("person", toward), ("to", where), ("on", "on"), ("from", "from")):
         if slot in meaning:
             words.append(_aim(before, meaning[slot]))
     if "hand" in meaning:

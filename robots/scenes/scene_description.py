@@ -161,6 +161,7 @@ class Person:
         way_m: Points that the person walks to one after the other, and stays at the last one.
         speed_m_s: Of the walk.
         starts_s: Simulated time at which it begins.
+        follows: Whether the person walks behind the robot, once it has been near, instead of going a way.
     """
 
     name: str
@@ -173,6 +174,12 @@ class Person:
     way_m: tuple[tuple[float, float], ...] = ()
     speed_m_s: float = 0.4
     starts_s: float = 0.0
+    follows: bool = False
+
+    @property
+    def walks(self) -> bool:
+        """Whether the person may be elsewhere later on."""
+        return bool(self.way_m) or self.follows
 
 
 @dataclass(frozen=True, slots=True)

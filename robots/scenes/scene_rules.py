@@ -132,8 +132,11 @@ def _check_person(person: Person, source: str, key: str) -> None:
     ok = 0.0 < person.speed_m_s <= FASTEST_PERSON_M_S
     reason = f"must be above 0 and at most {FASTEST_PERSON_M_S:g} m/s, not {person.speed_m_s:g}"
     _require(ok, source, f"{key}.speed_m_s", reason)
-    ok = not person.way_m or (person.posture == "standing" and not person.takes)
-    _require(ok, source, f"{key}.way_m", "who walks neither sits nor lies, and takes nothing")
+    ok = not person.walks or (person.posture == "standing" and not person.takes)
+    said = "way_m" if person.way_m else "follows"
+    _require(ok, source, f"{key}.{said}", "who walks neither sits nor lies, and takes nothing")
+    ok = not (person.way_m and person.follows)
+    _require(ok, source, f"{key}.follows", "who goes a way_m does not walk behind the robot; say one of both")
 
 
 def _check_perception(model: PerceptionModel, source: str) -> None:

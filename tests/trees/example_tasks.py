@@ -1,6 +1,8 @@
 """One task for every skill."""
 
 from trees.registry import skills
+from trees.skills.follow import FollowTask
+from trees.skills.guide import GuideTask
 from trees.tasks import (
     CloseTask,
     CountTask,
@@ -43,6 +45,8 @@ TASKS = {
     CloseTask: CloseTask("close the fridge", ObjectDescription("fridge")),
     MoveTask: MoveTask("go forward", 0.3, 0.0, 0.5),
     WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
+    FollowTask: FollowTask("follow Ana", "Ana"),
+    GuideTask: GuideTask("guide Ana to the table", "Ana", to="table"),
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
 

@@ -8,13 +8,14 @@ from kinematics.geometry import poses
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.handle import HandleRequest
 from kinematics.scene.planning_scene import SceneObject
-from robots.fake.fake_world import cup, table
+from robots.fake.fake_world import cup, person, table
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
+from robots.scenes.scene_description import Region
 from robots.scenes.scene_file import load_scene
-from trees.beliefs.grounding.destination import Place
+from trees.beliefs.grounding.destination import Place, place_of_region
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
@@ -29,7 +30,13 @@ from trees.skills.doors.plan_handle import PlanHandle
 from trees.skills.doors.reach_watching import ReachWatching
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
+from trees.skills.follow import FollowTask
+from trees.skills.follow.see_again import SeeAgain
+from trees.skills.follow.walk_behind import WalkBehind
 from trees.skills.gestures.turn_to import TurnTo
+from trees.skills.guide import GuideTask
+from trees.skills.guide.lead import Lead
+from trees.skills.guide.speak_to_guest import SpeakToGuest
 from trees.skills.place.swap_hands import AskForSwap
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom
@@ -216,6 +223,30 @@ def cup_in_hand(stage):
     }
 
 
+def somebody_who_walks(stage):
+    """Ana, who was somewhere else a moment ago."""
+    clear(stage)
+    ana = person()
+    before = poses.translation(-0.3, 0.0, 0.0) @ ana.world_T_object
+    return {"place": Place("Ana", "person", ana.shape, before, 0.9), "task": FollowTask("follow Ana", "Ana")}
+
+
+def somebody_to_lead(stage):
+    """Ana, who sees where the robot is going."""
+    clear(stage)
+    ana = person()
+    return {
+        "task": GuideTask("guide Ana to the hall", "Ana", to="hall"),
+        "place": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9),
+        "destination": place_of_region("hall", Region("hall", (-0.5, 0.5), (0.3, 0.3))),
+    }
+
+
+def somebody_in_view(stage):
+    ana = person()
+    return {"known": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9)}
+
+
 GIVEN = {
     ApproachHandle: hand_before_handle,
     AskForSwap: cup_in_hand,
@@ -225,10 +256,13 @@ GIVEN = {
     FindBoardRoom: to_put_inside,
     GraspHandle: hand_at_handle,
     IsItSo: open_fridge,
+    Lead: somebody_to_lead,
     LeadHandle: handle_in_hand,
     PlanHandle: near_handle,
     ReachWatching: reaching,
+    SeeAgain: somebody_in_view,
     SeeFront: front_seen,
+    SpeakToGuest: somebody_to_lead,
     SquaredUp: where_it_stands,
     StandsAtHandle: near_handle,
     StandsThereAlready: near_handle,
@@ -236,6 +270,7 @@ GIVEN = {
     TouchFront: hand_at_handle,
     TurnTo: cup_behind,
     VerifyOpening: open_fridge,
+    WalkBehind: somebody_who_walks,
     WalkTo: far_table,
     WalkToHandle: far_handle,
 }

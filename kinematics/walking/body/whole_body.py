@@ -13,6 +13,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.errors import KinematicsError
@@ -119,6 +120,15 @@ class WholeBody:
                 v[columns] = np.linalg.solve(J[:, columns], wanted - J[:, :3] @ v[:3])
             v[:3] -= (A[:3] @ v) / self._model.mass_kg
         return float(A[4] @ v) / (self._model.mass_kg * 9.81)
+
+    def pose(self, columns: NDArray[np.intp], values: Array) -> None:
+        """Have joints of the upper body elsewhere from the next instant on; the CoM is kept.
+
+        Args:
+            columns: Of a configuration, shape (n,).
+            values: Where they are, shape (n,), a period's motion away from where they were.
+        """
+        self._q[columns] = values
 
     def follow(self, sample: PatternSample) -> MotionSample:
         """Take the pattern's next instant in; gives the reference of the instant before it.

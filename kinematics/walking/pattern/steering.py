@@ -17,7 +17,7 @@ _NEAR_M = 0.35
 """Nearer than this to the goal, the body goes straight for its pose, sideways if need be."""
 _AHEAD_M = 0.4
 """The body heads for the point of the path so far ahead."""
-_PACE = 0.75
+PACE = 0.75
 """Share of the longest step that a path is walked with."""
 _TURN_PACE = 0.5
 """Share of the widest turn: soles slip in wider ones."""
@@ -170,11 +170,12 @@ class PathSteering:
     Attributes:
         path: Poses in the odometry frame.
         goal: The last of them.
+        pace: Share of the longest step that it is walked with.
     """
 
-    def __init__(self, settings: WalkingSettings, path: Sequence[PlanarPose]) -> None:
+    def __init__(self, settings: WalkingSettings, path: Sequence[PlanarPose], pace: float = PACE) -> None:
         """Follow poses in the odometry frame; headings of all but the last one are not used."""
-        self._settings = settings
+        self._settings, self.pace = settings, pace
         self.path = tuple(path)
         self.goal = self.path[-1]
 
@@ -194,7 +195,7 @@ class PathSteering:
         yaw = min(max(heading, -widest), widest)
         if abs(heading) > 0.6:  # turn first, go then
             return PlanarPose(0.0, 0.0, yaw)
-        longest_m = min(_PACE * s.forward_m, before.x_m + s.acceleration_m_s2 * s.step_s**2)
+        longest_m = min(self.pace * s.forward_m, before.x_m + s.acceleration_m_s2 * s.step_s**2)
         x = min(longest_m * math.cos(heading), to_go_m)
         return PlanarPose(x * math.cos(0.5 * yaw), x * math.sin(0.5 * yaw), yaw)
 

@@ -23,6 +23,7 @@ from robots.control.walking.outside_force import OutsideForce
 from robots.control.walking.push_watch import PushWatch
 from robots.control.walking.soft_ankles import SoftAnkles
 from robots.control.walking.stabiliser import Stabiliser
+from robots.control.walking.walking_head import WalkingHead
 from robots.interface.hardware import Hardware
 from robots.interface.robot import RobotState
 
@@ -35,6 +36,7 @@ class Walk:
 
     Attributes:
         pattern: What the feet do.
+        head: Turns to where the walk is told to look.
         held_back: What the body met in the last period, if that was anything.
     """
 
@@ -54,6 +56,7 @@ class Walk:
         soles = {sole.side: sole for sole in model.description.soles}
         feet = {side: PlanarPose.of(placed[sole.frame]) for side, sole in soles.items()}
         self._body = WholeBody(model, q, feet, period_s, settings.first_shift_s)
+        self.head = WalkingHead(model, q, period_s)
         com = model.com(q)
         home = {
             side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
@@ -92,7 +95,7 @@ class Walk:
     @property
     def at_rest(self) -> bool:
         """Whether it is over."""
-        return self._resting >= _AT_REST_PERIODS and self._fitted_ankles.at_rest
+        return self._resting >= _AT_REST_PERIODS and self._fitted_ankles.at_rest and self.head.at_rest
 
     def sense(self, readings: RobotState) -> Array:
         """Take readings in; gives the configuration estimated from them, shape (nq,)."""
@@ -118,6 +121,9 @@ class Walk:
         if self._phase in (Phase.CLOSE, Phase.SETTLE):
             self.pattern.step_on(self._push_watch.mean)
         sample = self._floor.under(self.pattern.advance(self._period_s), loads_n)
+        head = self.head.advance(resting=sample.phase in (Phase.SETTLE, Phase.REST))
+        if head is not None:
+            self._body.pose(self.head.columns, head)
         motion = self._body.follow(sample)
         if self._read is not None:
             self._fitted_ankles.follow(sample.phase, motion.q[7:], self._read[0])

@@ -9,6 +9,7 @@ from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import UPRIGHT_RAD
+from kinematics.walking.pattern.gazing import Gazing
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
@@ -93,7 +94,7 @@ class Walker:
         if handle is self._handle:
             self._steering = steering
             if self._walk is not None and not self._interrupted:
-                self._walk.pattern.steer(steering)
+                _steer(self._walk, steering)
 
     def finish(self, handle: MotionHandle) -> None:
         """Bring a walk to its end within its last steps; its handle is done when the robot stands."""
@@ -233,7 +234,7 @@ class Walker:
         self._walk = Walk(model, self._hardware, self._streamer, self._gyro_at_rest, self._period_s)
         if self._readings is not None:
             self._walk.sense(self._readings)
-        self._walk.pattern.steer(steering)
+        _steer(self._walk, steering)
 
     def _why_not(self) -> str | None:
         if self._model.description.walking is None:
@@ -252,3 +253,11 @@ class Walker:
     def _end(self, handle: MotionHandle, status: MotionStatus, reason: str) -> None:
         handle.status, handle.reason = status, reason
         self._sink(MotionEnded(self._clock.now_s(), handle.name, handle.owner, status.value, reason))
+
+
+def _steer(walk: Walk, steering: Steering) -> None:
+    """Tell the feet where to go, and the head where to look if that is said."""
+    if isinstance(steering, Gazing):
+        walk.head.look(steering.pan_rad, steering.tilt_rad)
+        steering = steering.steering
+    walk.pattern.steer(steering)

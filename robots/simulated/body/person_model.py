@@ -76,7 +76,7 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
     pose = transform(rotation_z(person.yaw_rad), (*person.position_m, 0.0))
     x, y, z, w = quaternion_from_rotation(pose[:3, :3])
     body.pos, body.quat = pose[:3, 3], [w, x, y, z]
-    if person.way_m:
+    if person.walks:
         body.mocap = True
     for i, (radius, start, end) in enumerate(_limbs(person)):
         geom = body.add_geom(
@@ -103,7 +103,7 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
 
 def has_hand(person: Person) -> bool:
     """Whether a person has a hand that can take things: who stands still."""
-    return person.posture == "standing" and not person.way_m
+    return person.posture == "standing" and not person.walks
 
 
 def _limbs(person: Person) -> list[tuple[float, _Point, _Point]]:

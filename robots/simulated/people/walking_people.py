@@ -1,4 +1,4 @@
-"""The people of a scene who walk about, each along a way of its own."""
+"""The people of a scene who walk about, each along a way of its own or behind the robot."""
 
 from __future__ import annotations
 
@@ -9,15 +9,11 @@ from dataclasses import dataclass
 from robots.scenes.scene_description import Person
 from robots.simulated.body.geom_roles import in_simulator
 from robots.simulated.body.physics import Physics
+from robots.simulated.people.standing import Standing
+from robots.simulated.people.trailing_person import TrailingPerson
 
-
-@dataclass(frozen=True, slots=True)
-class Standing:
-    """Where a person is: place on the floor in the world frame, m, and heading, rad."""
-
-    x_m: float
-    y_m: float
-    yaw_rad: float
+_GONE = Standing(500.0, 500.0, 0.0)
+"""Where somebody is who has left the scene: farther away than any sensor reaches."""
 
 
 def standing_at(person: Person, now_s: float) -> Standing:
@@ -44,28 +40,53 @@ def standing_at(person: Person, now_s: float) -> Standing:
     return Standing(x, y, yaw)
 
 
+@dataclass(frozen=True, slots=True)
+class _Walker:
+    person: Person
+    mocap: int
+    behind: TrailingPerson | None
+
+
 class WalkingPeople:
-    """Moves whoever has a way; ``tick`` is called once each control period.
+    """Moves whoever walks; ``tick`` is called once each control period.
 
     Attributes:
         stopped_s: Simulated times at which a person, by name, stops for good; evaluations set them.
+        gone_s: The same, at which a person leaves the scene for good.
     """
 
     def __init__(self, physics: Physics) -> None:
         """Move the people of the scene of some physics."""
         self.stopped_s: dict[str, float] = {}
+        self.gone_s: dict[str, float] = {}
         self._physics = physics
-        self._bodies: Mapping[str, tuple[Person, int]] = {
-            person.name: (person, int(physics.model.body(in_simulator(person.name)).mocapid[0]))
+        self._ticked_s = float(physics.data.time)
+        self._walkers: Mapping[str, _Walker] = {
+            person.name: _Walker(
+                person,
+                int(physics.model.body(in_simulator(person.name)).mocapid[0]),
+                TrailingPerson(person) if person.follows else None,
+            )
             for person in physics.scene.people
-            if person.way_m
+            if person.walks
         }
 
     def tick(self) -> None:
-        """Put everybody where the way has led by now."""
+        """Put everybody where they have gone by now."""
         now_s = float(self._physics.data.time)
-        for name, (person, mocap) in self._bodies.items():
-            at = standing_at(person, min(now_s, self.stopped_s.get(name, math.inf)))
-            self._physics.data.mocap_pos[mocap] = (at.x_m, at.y_m, 0.0)
+        for name, walker in self._walkers.items():
+            at = self._at(walker, now_s, self.stopped_s.get(name, math.inf))
+            if now_s >= self.gone_s.get(name, math.inf):
+                at = _GONE
+            self._physics.data.mocap_pos[walker.mocap] = (at.x_m, at.y_m, 0.0)
             half = 0.5 * at.yaw_rad
-            self._physics.data.mocap_quat[mocap] = (math.cos(half), 0.0, 0.0, math.sin(half))
+            self._physics.data.mocap_quat[walker.mocap] = (math.cos(half), 0.0, 0.0, math.sin(half))
+        self._ticked_s = now_s
+
+    def _at(self, walker: _Walker, now_s: float, stopped_s: float) -> Standing:
+        if walker.behind is None:
+            return standing_at(walker.person, min(now_s, stopped_s))
+        if now_s < stopped_s:
+            x, y = self._physics.data.xpos[self._physics.base_body][:2].tolist()
+            walker.behind.tick((x, y), now_s - self._ticked_s)
+        return walker.behind.at

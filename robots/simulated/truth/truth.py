@@ -52,7 +52,7 @@ class SimulatorTruth:
             for solid in furniture.solids(piece)
         )
         self._people = tuple(
-            (_person_seen_as(person), physics.body_id(in_simulator(person.name)) if person.way_m else None)
+            (_person_seen_as(person), physics.body_id(in_simulator(person.name)) if person.walks else None)
             for person in physics.scene.people
         )
         self._parts = tuple(

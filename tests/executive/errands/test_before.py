@@ -9,7 +9,7 @@ from executive.errands.required import with_names
 from executive.errands.unsaid_steps import prepared
 from trees import registry
 from trees.skill import Before, Skill
-from trees.skills import built_in
+from trees.skills import built_in, follow, guide
 from trees.tasks import (
     Destination,
     FindTask,
@@ -111,6 +111,19 @@ def test_what_a_skill_is_asked_about_is_seen_from_before_it(known_with):
     known_with(InspectTask, before=frozenset({Before.SOURCE_IN_VIEW}))
 
     assert kinds(InspectTask("inspect the table", "table")) == [WalkToTask, InspectTask]
+
+
+@pytest.mark.parametrize("source", ["kitchen", ObjectDescription("table")])
+def test_where_somebody_is_said_to_be_is_walked_to_before_they_are_followed_or_led(source):
+    followed = follow.FollowTask("follow Ana", "Ana", source=source)
+    led = guide.GuideTask("guide Ana to the hall", "Ana", source=source, to="hall")
+
+    assert kinds(followed) == [WalkToTask, follow.FollowTask]
+    assert kinds(led) == [WalkToTask, guide.GuideTask]
+
+
+def test_nobody_is_walked_to_who_is_not_said_to_be_anywhere():
+    assert kinds(follow.FollowTask("follow Ana", "Ana")) == [follow.FollowTask]
 
 
 def test_who_speaks_is_found_out_before_a_skill_takes_the_robot_away(known_with):

@@ -12,6 +12,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.walking.pattern.gazing import Gazing
 from kinematics.walking.pattern.steering import (
     PathSteering,
     StretchSteering,
@@ -120,10 +121,27 @@ def test_every_steering_comes_back_and_walks_the_same_way(talos):
     assert kinds == offered
 
 
+def test_where_the_head_looks_on_a_walk_comes_back(talos):
+    settings = talos.description.walking
+
+    for sent in steerings(settings):
+        read = read_steering(write_steering(Gazing(sent, 0.5, 0.2)), settings)
+        assert (read.pan_rad, read.tilt_rad, type(read.steering)) == (0.5, 0.2, type(sent))
+
+
+def test_the_pace_of_a_path_comes_back(talos):
+    settings = talos.description.walking
+    path = PathSteering(settings, (PlanarPose(), PlanarPose(3.0)), 0.9)
+
+    assert read_steering(write_steering(path), settings).pace == 0.9
+
+
 @pytest.mark.requirement("F4", "F8")
 @pytest.mark.parametrize(
     "document",
-    ['{"kind": "velocity", "linear_m_s": 99, "angular_rad_s": 0}', '{"kind": "path", "path": []}',
+    ['{"kind": "path", "path": [[0, 0, 0]], "pace": 1.5}',
+     '{"kind": "path", "path": [[0, 0, 0]], "gaze": {}}',
+     '{"kind": "velocity", "linear_m_s": 99, "angular_rad_s": 0}', '{"kind": "path", "path": []}',
      '{"kind": "path", "path": [[0, 0]]}', '{"kind": "fly"}', "[]", "{"],
 )  # fmt: skip
 def test_a_steering_that_is_none_is_refused(talos, document):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from tools.evaluate.people import following, guiding
 from tools.evaluate.skills import (
     carrying,
     errands,
@@ -45,5 +46,9 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "carry": carrying.CARRY,
         "flat_pick": errands.FLAT_PICK,
         "flat_bring": errands.FLAT_BRING,
+        "follow": following.FOLLOW,
+        "follow_lost": following.FOLLOW_LOST,
+        "guide": guiding.GUIDE,
+        "guide_left": guiding.GUIDE_LEFT,
     }
 )

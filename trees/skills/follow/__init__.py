@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Destination, Need, Skill
+from trees.api import Before, Destination, Need, Skill
 
 if TYPE_CHECKING:
     from trees.api import Behaviour, Toolbox
@@ -31,7 +31,16 @@ class FollowTask:
 
 
 def _tree(_task: FollowTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+    from trees.skills.follow.tree import follow
+
+    return follow(toolbox)
 
 
-SKILL = Skill(task=FollowTask, tree=_tree, example="follow Ana", needs=frozenset({Need.LEGS}), goes_away=True)
+SKILL = Skill(
+    task=FollowTask,
+    tree=_tree,
+    example="follow Ana",
+    needs=frozenset({Need.LEGS}),
+    before=frozenset({Before.SOURCE_IN_VIEW}),
+    goes_away=True,
+)

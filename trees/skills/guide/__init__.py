@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Destination, Need, Skill
+from trees.api import Before, Destination, Need, Skill
 
 if TYPE_CHECKING:
     from trees.api import Behaviour, Toolbox
@@ -31,7 +31,9 @@ class GuideTask:
 
 
 def _tree(_task: GuideTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+    from trees.skills.guide.tree import guide
+
+    return guide(toolbox)
 
 
 SKILL = Skill(
@@ -39,5 +41,6 @@ SKILL = Skill(
     tree=_tree,
     example="guide Ana to the kitchen",
     needs=frozenset({Need.LEGS}),
+    before=frozenset({Before.SOURCE_IN_VIEW}),
     goes_away=True,
 )

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from kinematics.model.robot_model import RobotModel
+from kinematics.walking.pattern.gazing import Gazing
 from kinematics.walking.pattern.steering import VelocitySteering
 from robots.clock import ManualClock
 from robots.control.gate.refusal import Limit, Refusal
@@ -70,6 +71,41 @@ def test_the_robot_walks_and_stands_where_it_believes_to_stand():
     assert np.linalg.norm(believed[:3] - truth[:3, 3]) < 0.02
     assert floor.loop.statistics.refused == 0
     assert np.linalg.norm(floor.loop.motion.reference()[:3] - believed[:3]) < 0.01
+
+
+def test_the_head_turns_while_the_robot_walks_and_stays_there():
+    floor = Floor()
+    model = floor.loop.model
+    pan = 7 + model.joint_index(model.description.camera.pan_joint)
+
+    handle = floor.loop.walking.walk(Gazing(VelocitySteering(floor.settings, 0.3, 0.0), 0.8, 0.2), "walk")
+    floor.run(2.5)
+    on_the_way = floor.loop.sensing.state().q[pan]
+    floor.loop.walking.finish(handle)
+    floor.until_it_stands()
+    floor.run(0.3)
+
+    assert on_the_way == pytest.approx(0.8, abs=0.03)
+    assert floor.loop.motion.reference()[pan] == pytest.approx(0.8, abs=0.01)
+    assert floor.loop.statistics.refused == 0
+    assert handle.status is MotionStatus.DONE
+
+
+def test_a_head_that_turns_as_the_robot_stops_comes_to_rest_with_it():
+    floor = Floor()
+    model = floor.loop.model
+    pan = 7 + model.joint_index(model.description.camera.pan_joint)
+
+    handle = floor.loop.walking.walk(VelocitySteering(floor.settings, 0.3, 0.0), "walk")
+    floor.run(2.5)
+    floor.loop.walking.steer(handle, Gazing(VelocitySteering(floor.settings, 0.0, 0.0), -1.2, 0.2))
+    floor.until_it_stands()
+    rested = floor.loop.motion.reference()[pan]
+    floor.run(0.3)
+
+    assert rested < -0.3
+    assert floor.loop.motion.reference()[pan] == rested
+    assert floor.loop.statistics.refused == 0
 
 
 @pytest.mark.requirement("S4")

@@ -149,3 +149,35 @@ def test_what_is_called_as_the_floor_or_a_link_is_numbered_from_two_on_and_keeps
 
     assert list(first.objects) == list(again.objects) == [f"{name} 2"]
     assert kind_of(f"{name} 2") == name
+
+
+def seen_person(name="Ana", at=(1.3, 0.2, 0.875)):
+    body = seen("person", None, at, Cylinder(0.24, 1.75), "person")
+    return replace(body, name=name)
+
+
+@pytest.mark.parametrize("may_have_moved", [True, False])
+def test_somebody_who_has_walked_on_is_one_person(may_have_moved):
+    first = look(PlanningScene(), seen_person())
+    later = [seen_person(at=(2.4, 0.2, 0.875))]
+
+    second = updated_scene(first.scene, later, POLICY, lambda _: False, may_have_moved)
+
+    assert list(second.seen) == list(second.scene.objects) == ["Ana"]
+    assert second.scene.objects["Ana"].world_T_object[0, 3] == pytest.approx(2.4)
+
+
+def test_somebody_who_is_not_in_view_is_remembered():
+    first = look(PlanningScene(), seen_person())
+    second = look(first.scene, seen_person("Ben", (1.0, -1.0, 0.875)))
+
+    assert set(second.scene.objects) == {"Ana", "Ben"}
+
+
+def test_people_without_names_are_told_apart_while_the_head_looks_around():
+    first = look(PlanningScene(), seen_person(None))
+    later = [seen_person(None, (1.0, -1.0, 0.875))]
+
+    second = updated_scene(first.scene, later, POLICY, lambda _: False, may_have_moved=False)
+
+    assert set(second.scene.objects) == {"person", "person 2"}

@@ -1,0 +1,122 @@
+"""The robot walks ahead of a person, and looks round whether the person comes along."""
+
+import math
+from dataclasses import replace
+
+import pytest
+from py_trees.common import Status
+
+from robots.fake.fake_world import person
+from robots.scenes.scene_description import Region
+from trees.beliefs.grounding.destination import Place, place_of_region
+from trees.events import Said
+from trees.failures import Reason
+from trees.skills.guide import GuideTask
+from trees.skills.guide.lead import Lead
+from trees.skills.guide.settings import GuideSettings
+
+QUICK = GuideSettings(waits_s=1.0)
+KITCHEN = Region("kitchen", (6.0, 0.0), (4.0, 4.0))
+TASK = GuideTask("guide Ana to the kitchen", "Ana", to="kitchen")
+
+
+class Walk:
+    """The fake robot leads Ana, whom its camera sees only when she is not behind it."""
+
+    def __init__(self, stage):
+        self.stage = stage
+        self.comes = True
+        toolbox = replace(stage.toolbox, policy=replace(stage.toolbox.policy, skills=(QUICK,)))
+        ana = person("Ana", (-1.0, 0.0))
+        stage.fake.world.put(ana)
+        self.leaf = Lead("lead", toolbox)
+        stage.ready(
+            self.leaf,
+            task=TASK,
+            place=Place("Ana", "person", ana.shape, ana.world_T_object, 0.9),
+            destination=place_of_region("kitchen", KITCHEN),
+        )
+
+    @property
+    def feet(self):
+        return self.stage.fake.motion.feet()
+
+    @property
+    def apart_m(self):
+        x, y = self.stage.fake.world.object("Ana").world_T_object[:2, 3]
+        return math.dist((x, y), (self.feet.x_m, self.feet.y_m))
+
+    def tick(self):
+        world, feet = self.stage.fake.world, self.feet
+        x, y = world.object("Ana").world_T_object[:2, 3]
+        bearing = math.remainder(math.atan2(y - feet.y_m, x - feet.x_m) - feet.yaw_rad, math.tau)
+        (world.hidden.discard if abs(bearing) < 1.6 else world.hidden.add)("Ana")
+        if self.comes and (too_far := self.apart_m - 1.2) > 0.0:
+            towards = (feet.x_m - x) / self.apart_m, (feet.y_m - y) / self.apart_m
+            world.move("Ana", (min(too_far, 0.3) * towards[0], min(too_far, 0.3) * towards[1], 0.0))
+        return self.stage.tick(self.leaf)
+
+    def till_the_end(self, ticks=4000):
+        for _ in range(ticks):
+            if self.tick() is not Status.RUNNING:
+                return self.leaf.status
+        raise AssertionError(f"never ended: {self.leaf.feedback_message}")
+
+
+@pytest.fixture
+def walk(stage_with):
+    return Walk(stage_with(person("Ana", (-1.0, 0.0)), walks=True))
+
+
+def said(stage):
+    return [event.text for event in stage.events if isinstance(event, Said)]
+
+
+def test_it_arrives_with_the_person(walk):
+    status = walk.till_the_end()
+
+    assert status is Status.SUCCESS, walk.leaf.failure
+    assert KITCHEN.contains(walk.feet.x_m, walk.feet.y_m)
+    assert walk.apart_m <= QUICK.near_m
+
+
+def test_it_looks_round_after_each_stretch(walk):
+    walk.till_the_end()
+
+    assert walk.stage.output("evidence")["looks"] >= 3
+
+
+def test_somebody_who_stays_behind_in_view_is_told_not_to_come(walk):
+    walk.comes = False
+
+    assert walk.till_the_end() is Status.FAILURE
+    assert "Ana does not come along" in walk.leaf.failure.message
+
+
+def test_it_goes_no_farther_than_a_stretch_without_the_person(walk):
+    walk.comes = False
+
+    walk.till_the_end()
+
+    assert walk.feet.x_m < QUICK.stretch_m + 0.6
+
+
+def test_somebody_who_is_nowhere_to_be_seen_is_told_to_be_lost(walk):
+    for _ in range(5):
+        walk.tick()
+    walk.comes = False
+    walk.stage.fake.world.move("Ana", (0.0, 0.0, 0.0))
+    walk.stage.fake.detector.blind = True
+
+    assert walk.till_the_end() is Status.FAILURE
+    assert walk.leaf.failure.reason is Reason.PERSON_LOST
+    assert said(walk.stage) == ["I lost Ana."]
+
+
+def test_it_waits_for_somebody_who_is_slow(walk):
+    walk.comes = False
+    while walk.feet.x_m < 1.0 or walk.stage.fake.walking.active:
+        walk.tick()
+    walk.comes = True
+
+    assert walk.till_the_end() is Status.SUCCESS, walk.leaf.failure

@@ -1,0 +1,1 @@
+"""Suites about people who walk: following them, guiding them."""
