@@ -33,6 +33,7 @@ class Before(Enum):
     GOAL_OPEN = "what its ``object`` goes into, ``to``, stands open"
     AT_GOAL = "the robot stands before where its ``object`` goes or whom it is for: ``to``, or ``person``"
     SOURCE_IN_VIEW = "the robot stands before the furniture that it is asked about, ``source``"
+    PERSON_KNOWN = "it is known who its ``person`` is, where a word as me means others elsewhere"
 
 
 class Need(Enum):

@@ -27,6 +27,7 @@ from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
+from trees.self_knowledge import Calendar, Identity
 from trees.world_model import WorldModel
 
 Planned = TypeVar("Planned")
@@ -196,6 +197,8 @@ class Toolbox:
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
+    identity: Identity = field(default_factory=Identity)
+    calendar: Calendar = field(default_factory=Calendar)
 
     @property
     def can_walk(self) -> bool:

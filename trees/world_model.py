@@ -82,6 +82,7 @@ class WorldModel:
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, FormerPlace] = {}
         self.at_handle: HandAtHandle | None = None
+        self._reasons: set[str] = set()
 
     @property
     def scene(self) -> PlanningScene:
@@ -91,8 +92,19 @@ class WorldModel:
     def begin_task(self) -> None:
         """What was seen in another task is believed, and no more; what that put down is where it goes."""
         self.sightings = {}
+        self._reasons.clear()
         held = self._scene.attached
         self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}
+
+    def is_new_reason(self, because: str) -> bool:
+        """Note why something was taken for what is meant; whether this task has not said so yet.
+
+        Args:
+            because: The reason, for people; an empty one is none.
+        """
+        new = bool(because) and because not in self._reasons
+        self._reasons.add(because)
+        return new
 
     def note_sightings(self, seen: Mapping[str, ObjectEstimate]) -> None:
         """Remember what a look saw, and forget what is no longer believed."""

@@ -27,3 +27,9 @@ def bearing_rad(toolbox: Toolbox, place: Place) -> float:
     x_m, y_m = place.odom_T_place[:2, 3].tolist()
     there = feet_pose(toolbox).to(PlanarPose(x_m, y_m))
     return math.atan2(there.y_m, there.x_m)
+
+
+def away_m(toolbox: Toolbox, place: Place) -> float:
+    """How far the middle of a place is from the body, along the floor."""
+    x_m, y_m = place.odom_T_place[:2, 3].tolist()
+    return body_pose(toolbox).distance_m(PlanarPose(x_m, y_m))
