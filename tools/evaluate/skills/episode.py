@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 
 from executive.embedding.requests import Requests
+from executive.errands.errand import Errand
 from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
+from executive.session.driver import driven
 from executive.session.events import PlanningAnswered
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session
@@ -118,6 +120,11 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 def _asked(session: Session, trial: Trial, planning: PlanningWatch) -> tuple[list[TaskResult], bool]:
     """How the tasks ended, and whether all came to the last one; ``planning`` counted for that alone."""
     results: list[TaskResult] = []
+    if trial.as_errand:
+        planning.begin()
+        with session.events.heard_by(planning.take):
+            results += driven(Errand(session, trial.tasks, on_question="first").steps())
+        return results, True
     for task in trial.first if trial.sentence else trial.tasks:
         planning.begin()
         with session.events.heard_by(planning.take):

@@ -59,6 +59,7 @@ class Trial:
         sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
         first: Asked before the sentence.
         given: Names of what people were given before; it moves with their hands.
+        as_errand: Whether ``tasks`` are one errand, with what has to be done before each.
     """
 
     scene: SceneDescription
@@ -67,6 +68,7 @@ class Trial:
     sentence: str = ""
     first: tuple[Task, ...] = ()
     given: tuple[str, ...] = ()
+    as_errand: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -134,7 +134,9 @@ class Locate(LookAround):
                 aim = replace(aim, relation=Relation("next_to", said_at))
             return seen, around, aim
         objects = self.toolbox.world.scene.objects
-        places = {thing.name: objects[thing.name].world_T_object for thing in around.things if thing.is_person}
+        places = {
+            thing.name: objects[thing.name].world_T_object for thing in around.things if thing.is_person
+        }
         outside = tuple(
             name
             for name, place in places.items()

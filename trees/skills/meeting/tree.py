@@ -10,20 +10,26 @@ from py_trees.composites import Sequence
 from trees.beliefs.grounding.destination import PERSON_SLOTS, aim_of, slot_of, where_person_is
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
+from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.nodes.retry import Retry
 from trees.skills.gestures.turn_to_it import turned_to
 from trees.skills.looking.search_place import search_place
 from trees.skills.meeting.if_far import IfFar
+from trees.skills.meeting.if_outside import IfOutside
 from trees.skills.meeting.is_near import IsNear
+from trees.skills.meeting.know_room import KnowRoom
 from trees.skills.meeting.settings import MeetingSettings
-from trees.skills.searching.look_elsewhere import people_in_rooms, turned_around, worth_going
+from trees.skills.searching.look_elsewhere import going, people_in_rooms, turned_around, worth_going
 from trees.skills.telling.is_about_speaker import SPEAKER
 from trees.skills.telling.who_speaks import who_speaks
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_to import WalkTo
 from trees.skills.walking.walk_with_room import with_room
 from trees.toolbox import Toolbox
+
+_GOES_THERE = 2
+"""How often the robot goes into a room where somebody may stand in the way for a while."""
 
 
 def met(task: object, toolbox: Toolbox, slots: Many[str] = PERSON_SLOTS) -> list[Behaviour]:
@@ -43,13 +49,32 @@ def met(task: object, toolbox: Toolbox, slots: Many[str] = PERSON_SLOTS) -> list
 
 
 def found_person(task: object, toolbox: Toolbox, slots: Many[str] = PERSON_SLOTS) -> Behaviour:
-    """Look from here, all around, and in other rooms; arguments as for ``met``. Writes "place"."""
+    """Look where the person is said to be, or else from here, all around, and in other rooms.
+
+    Arguments are as for ``met``. Writes "place".
+    """
     if aim_of(task, slots) == SPEAKER:
         return who_speaks(toolbox)
-    ways = [*_seen_here(toolbox, slots)]
-    if toolbox.can_walk and where_person_is(task, slot_of(task, slots)) is None:
+    said_at = where_person_is(task, slot_of(task, slots))
+    ways = _seen_here(toolbox, slots)
+    if toolbox.can_walk and isinstance(said_at, str) and said_at in toolbox.places:
+        ways = [_seen_there(toolbox, slots, said_at) for _ in range(_GOES_THERE)]
+    elif toolbox.can_walk and said_at is None:
         ways += people_in_rooms(toolbox, slots)
     return Alternatives("find the person", ways, looking_elsewhere_is_useless, worth_going)
+
+
+def _seen_there(toolbox: Toolbox, slots: Many[str], room: str) -> Behaviour:
+    """Go into a room, as far as people there leave a way, and look around in it."""
+    level = toolbox.policy.level_gazes
+    go: list[Behaviour] = [
+        KnowRoom("know the room", toolbox, room),
+        BestEffort(search_place("see who is in the way", toolbox, level[:1], slots)),
+        *going(toolbox, {"place": "room"}),
+    ]
+    inside = IfOutside(Sequence("go there", memory=True, children=go), toolbox, toolbox.places[room])
+    look = Alternatives("look there", _seen_here(toolbox, slots), looking_elsewhere_is_useless, worth_going)
+    return Sequence(f"in the {room}", memory=True, children=[BestEffort(inside), look])
 
 
 def _seen_here(toolbox: Toolbox, slots: Many[str]) -> list[Behaviour]:

@@ -80,7 +80,7 @@ def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behavio
 
 
 def people_in_rooms(toolbox: Toolbox, slots: Many[str]) -> list[Behaviour]:
-    """Ways to see somebody from the middle of other rooms, turned around there; nobody stands on furniture."""
+    """Ways to see somebody from the middle of other rooms, and turned around there."""
     gazes = toolbox.policy.level_gazes
     ways: list[Behaviour] = []
     for number in range(1, _ROOMS + 1):
@@ -90,7 +90,7 @@ def people_in_rooms(toolbox: Toolbox, slots: Many[str]) -> list[Behaviour]:
         ]
         room = [
             ChooseRoom("choose room", toolbox, {"rooms_before": "rooms"}),
-            *_going(toolbox, {"place": "room"}),
+            *going(toolbox, {"place": "room"}),
             Alternatives("look in it", looks, looking_elsewhere_is_useless, worth_going),
         ]
         ways.append(Sequence(f"look in room {number}", memory=True, children=room))
@@ -102,7 +102,7 @@ def where_it_was(toolbox: Toolbox) -> Behaviour:
     stood = {"place": "stood_on"}
     looks = [
         RecallSupport("recall where it was", toolbox, stood),
-        *_going(toolbox, stood),
+        *going(toolbox, stood),
         search_place("look around", toolbox, _at_tops(toolbox)),
     ]
     return Sequence("look where it was", memory=True, children=looks)
@@ -121,7 +121,7 @@ def worth_going(way: Behaviour, failure: Failure | None) -> bool:
 def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
     looks = [
         ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
-        *_going(toolbox, {"place": "furniture"}),
+        *going(toolbox, {"place": "furniture"}),
         search_place("look around", toolbox, _at_tops(toolbox)),
     ]
     return Sequence(f"look on furniture {number}", memory=True, children=looks)
@@ -145,7 +145,7 @@ def _look_in_room(toolbox: Toolbox, number: int) -> Behaviour:
     ]
     looks = [
         ChooseRoom("choose room", toolbox, {"rooms_before": "rooms"}),
-        *_going(toolbox, {"place": "room"}),
+        *going(toolbox, {"place": "room"}),
         Alternatives("look in it", ways, looking_elsewhere_is_useless, worth_going),
     ]
     return Sequence(f"look in room {number}", memory=True, children=looks)
@@ -154,14 +154,19 @@ def _look_in_room(toolbox: Toolbox, number: int) -> Behaviour:
 def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:
     looks = [
         ChooseOutlook("choose outlook", toolbox, {"hiding_before": "hiding"}),
-        *_going(toolbox, {"place": "hides", "stand": "outlook"}),
+        *going(toolbox, {"place": "hides", "stand": "outlook"}),
         search_place("look around", toolbox, toolbox.policy.level_gazes),
     ]
     return Sequence(f"look behind {number}", memory=True, children=looks)
 
 
-def _going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
-    """Stand upright, and walk where some names of the walk's ports say."""
+def going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
+    """Stand upright, and walk where some names of the walk's ports say.
+
+    Args:
+        toolbox: What leaves may call.
+        there: The names that ports of the walk have: where its "place" and its "stand" come from.
+    """
     walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
     return (
         ReadyToWalk("stand upright", toolbox),

@@ -13,6 +13,7 @@ from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of, top_m
 from kinematics.walking.route.path_planning import clearance_m, footprints
 from kinematics.walking.route.room import WalkingRoom
+from robots.scenes.person_solid import PERSON_REACH_M
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 
@@ -114,18 +115,32 @@ def _around(
     """On a circle around something, facing it: on this side of it, or where there is room to turn."""
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     direct = math.atan2(y - body.y_m, x - body.x_m)
+
+    def before(heading: float) -> PlanarPose:
+        gap_m = away_m + _beyond_m(place, heading)
+        return PlanarPose(x - gap_m * math.cos(heading), y - gap_m * math.sin(heading), heading)
+
     if room is None:
-        return PlanarPose(x - away_m * math.cos(direct), y - away_m * math.sin(direct), direct)
+        return before(direct)
     if place.name in scene.objects:
         scene = scene.without_object(place.name)
     best = (math.inf, PlanarPose())
     for aside in sorted(_ASIDE_RAD, key=abs):
-        heading = direct + aside
-        stand = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+        stand = before(direct + aside)
         cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, room.tightest(scene, stand, at_ease=True).lack_m)
         if cost < best[0]:
             best = (cost, stand)
     return best[1]
+
+
+def _beyond_m(place: Place, heading: float) -> float:
+    """How much farther somebody who lies reaches, towards who comes along a heading, than who stands."""
+    if place.category != "person" or not isinstance(place.shape, Box):
+        return 0.0
+    along = heading - poses.yaw_of(place.odom_T_place[:3, :3])
+    half_x, half_y = 0.5 * place.shape.size_m[0], 0.5 * place.shape.size_m[1]
+    c, s = max(abs(math.cos(along)), 1e-9), max(abs(math.sin(along)), 1e-9)
+    return max(0.0, min(half_x / c, half_y / s) - PERSON_REACH_M)
 
 
 def edge_m(height_m: float) -> float:
