@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from datetime import datetime
 from typing import Protocol
 
 
@@ -62,3 +63,8 @@ class ProcessorClock:
 def utc_timestamp() -> str:
     """The date and time of day in UTC, ISO 8601, for names of runs and reports."""
     return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
+
+
+def local_time() -> datetime:
+    """The date and time of day where this machine is, to the second, without a zone."""
+    return datetime.fromtimestamp(int(time.time()))
