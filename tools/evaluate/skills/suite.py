@@ -16,6 +16,9 @@ from trees.tasks import Task
 
 Figure = float | int | str | bool
 
+ANY_END = "any"
+"""Of suites in which a question or a no may be what is right."""
+
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
@@ -80,7 +83,8 @@ class SkillSuite:
         judge: Makes its judge, before the first task; the generator is another one than the trial's.
         stands: Whether the robot stands all the while, so that its CoM must stay inside its feet.
         bar: Share of episodes that have to be truly done.
-        ends: How the last task is to end; an episode that ends so counts as claimed.
+        ends: How the last task is to end; an episode that ends so counts as claimed. "any" leaves it to the
+            judge: a question or a no may be what is right.
     """
 
     trial: Callable[[np.random.Generator], Trial]

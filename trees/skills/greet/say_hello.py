@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from trees.api import DONE, Contract, Leaf, Number, Place, Said, Status, optional, ports
+import math
+
+from trees.api import DONE, Contract, Failure, Leaf, Number, Place, Said, Status, optional, ports
 from trees.readings.odometry import away_m, bearing_rad
-from trees.skills.meeting.called_person import name_of
+from trees.skills.meeting.called_person import called_person, name_of
 from trees.skills.meeting.introduction import introduction
+
+_FACED_RAD = math.radians(20.0)
+"""People take somebody to face them who is turned aside by no more."""
 
 
 class SayHello(Leaf):
@@ -19,20 +24,23 @@ class SayHello(Leaf):
         deadline_s=1.0,
     )
 
-    def step(self) -> Status:
-        """Give the words out."""
+    def step(self) -> Status | Failure:
+        """Give the words out, to somebody who is faced: a hand that waves does so from a trunk that faces."""
         place: Place = self.get_input("place")
-        name = name_of(place)
+        name, swings = name_of(place), (self.optional("waved") or {}).get("swings", 0)
+        beside_rad = bearing_rad(self.toolbox, place)
+        if not swings and abs(beside_rad) > _FACED_RAD:
+            who = called_person(place)
+            return Failure.postcondition(f"{who} is not ahead, and no hand waved", beside_rad=beside_rad)
         words = f"Hello, {name}!" if name else "Hello!"
         if self.get_input("task").introducing:
             words = f"{words} {introduction(self.toolbox)}"
         self.toolbox.events(Said(self.toolbox.clock.now_s(), words, name))
-        swings = (self.optional("waved") or {}).get("swings", 0)
         evidence: dict[str, Number] = {
             "greeted": place.name,
             "swings": swings,
             "away_m": away_m(self.toolbox, place),
-            "bearing_rad": bearing_rad(self.toolbox, place),
+            "bearing_rad": beside_rad,
         }
         self.measured(**evidence)
         self._set_output("evidence", {"said": words, **evidence})

@@ -35,6 +35,8 @@ _GOES_THERE = 2
 def met(task: object, toolbox: Toolbox, slots: Many[str] = PERSON_SLOTS) -> list[Behaviour]:
     """Somebody is found, the robot comes near and turns to them. Reads "task", writes "place".
 
+    Where there is no room for the feet to turn, trunk and head are left to whoever goes on.
+
     Args:
         task: What is to be done; where the person is said to be, nobody is looked for elsewhere.
         toolbox: What leaves may call.
@@ -44,7 +46,7 @@ def met(task: object, toolbox: Toolbox, slots: Many[str] = PERSON_SLOTS) -> list
     return [
         found_person(task, toolbox, slots),
         _near(toolbox, slots),
-        turned_to("turn to them", toolbox, level[:1], settings.faced_rad, slots),
+        BestEffort(turned_to("turn to them", toolbox, level[:1], settings.faced_rad, slots)),
     ]
 
 

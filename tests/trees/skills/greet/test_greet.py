@@ -114,3 +114,13 @@ def test_who_is_said_to_be_in_another_room_is_looked_for_there(stage_with):
 
     assert tree.status == "success"
     assert any("know the room" in event.where for event in stage.events if isinstance(event, NodeChanged))
+
+
+def test_nobody_is_told_hello_who_is_neither_faced_nor_waved_to(stage_with):
+    stage = stage_with(person("Ana", (1.0, 1.1)))
+    stage.when("raise hand", lambda: setattr(stage.fake.planning, "no_plan", NoPlan("no room", {})))
+
+    tree = greet(stage, "Ana")
+
+    assert tree.status == "failure"
+    assert not said(stage)
