@@ -11,13 +11,14 @@ import numpy as np
 from executive.session.assembly import Assembly
 from executive.session.events import QuestionAsked, TaskRefused
 from executive.session.task_result import TaskResult
+from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder, Shape
 from robots.scenes.scene_description import Furniture, PerceptionModel, SceneItem
 from robots.scenes.scene_words import ANY_LABEL, CYLINDER_KINDS
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import ANY_END, Figure, SkillSuite, Trial, Verdict
-from trees.tasks import FindTask, ObjectDescription
+from trees.tasks import FindTask, ObjectDescription, PickTask
 
 KINDS = (
     *("cup", "can", "bottle", "teapot", "mug", "jar", "spanner", "torch", "sponge", "candle", "stapler"),
@@ -40,7 +41,10 @@ _SYLLABLES = ("zor", "blax", "mi", "tro", "ven", "lu", "kra", "pim", "sol", "dex
 _TAILS = ("crunch", "prime", "gold", "fresh", "mix", "plus", "one", "classic")
 NAMED, OPEN, IN_COLOR = 0.6, 0.35, 0.4
 """Chances: that a thing has a name, that perception tells any word, that a colour is said with a kind."""
-SAME_M = 0.05
+PICKED = 0.4
+"""Chance that it is to be picked up, not only found."""
+SAME_M = 0.10
+"""Half of how far apart things stand."""
 UNKNOWN_WITHIN_S = 1.0
 BAR = 0.97
 
@@ -67,6 +71,7 @@ class NamingJudge:
         if not isinstance(trial, NamingTrial):
             raise TypeError(f"the suite of names judges its own trials, not {type(trial).__name__}")
         self._truth, self._trial = assembly.world.truth, trial
+        self._world = assembly.session.toolbox.world
         self._asked, self._refused_s = False, math.inf
         self._began_s = self._truth.time_s
 
@@ -80,9 +85,12 @@ class NamingJudge:
         """Nothing moves that is asked about."""
 
     def verdict(self, results: Sequence[TaskResult]) -> Verdict:
-        """By what the robot says that it has found, and where that truly is."""
+        """By what was told to be found, or went into a hand, and where that truly is.
+
+        Who finds one of several that bear the word has found it; of what is picked up somebody says which.
+        """
         trial, last = self._trial, results[-1]
-        found = self._thing_at(last) if last.outcome == "done" else ""
+        meant = self._meant_by_robot(last)
         numbers: dict[str, Figure] = {
             "by": trial.by,
             "fitting": len(trial.fitting),
@@ -90,19 +98,29 @@ class NamingJudge:
             "took_s": last.times.simulated_s,
         }
         if trial.unknown:
-            answered_s = min(self._refused_s, 0.0 if not results else last.times.simulated_s)
+            answered_s = min(self._refused_s, last.times.simulated_s)
             fine = last.outcome != "done" and answered_s <= UNKNOWN_WITHIN_S
             numbers["answered_s"] = answered_s
-            return Verdict(fine, numbers, "" if fine else f"{last.outcome} after {answered_s:.1f} s, {found}")
-        right = len(trial.fitting) == 1 and found == trial.fitting[0]
+            return Verdict(fine, numbers, "" if fine else f"{last.outcome} after {answered_s:.1f} s, {meant}")
+        one_will_do = isinstance(trial.tasks[-1], FindTask) or len(trial.fitting) == 1
+        right = one_will_do and meant in trial.fitting
         fine = right or (last.outcome == "question" and self._asked)
-        why = "" if fine else f"{last.outcome}: found {found or 'nothing'}, meant {', '.join(trial.fitting)}"
+        why = "" if fine else f"{last.outcome}: {meant or 'nothing'}, meant {', '.join(trial.fitting)}"
         return Verdict(fine, numbers, why)
 
-    def _thing_at(self, result: TaskResult) -> str:
-        """What truly is where something was told to be."""
-        place = np.array([float(result.evidence[f"{axis}_m"]) for axis in "xyz"])
-        at = (self._truth.world_T_odom() @ [*place, 1.0])[:3]
+    def _meant_by_robot(self, result: TaskResult) -> str:
+        """The true name of what the robot took for what is meant; empty for nothing."""
+        held = self._truth.contacts.in_pads_only()
+        if held:
+            return sorted(held)[0]
+        if "x_m" in result.evidence:
+            return self._thing_at(np.array([float(result.evidence[f"{axis}_m"]) for axis in "xyz"]))
+        item = self._world.scene.objects.get(result.acted_on or "")
+        return "" if item is None else self._thing_at(item.world_T_object[:3, 3])
+
+    def _thing_at(self, odom_m: Array) -> str:
+        """What truly is where something is believed to be, shape (3,)."""
+        at = (self._truth.world_T_odom() @ [*odom_m, 1.0])[:3]
         away = {
             name: float(np.linalg.norm(self._truth.world_T_object(name)[:3, 3] - at))
             for name in self._truth.objects()
@@ -126,10 +144,10 @@ def naming_trial(rng: np.random.Generator) -> NamingTrial:
     by, words, fitting = _said(by, things, is_open, rng)
     if not fitting:
         words, by = NOT_THERE[int(rng.integers(len(NOT_THERE)))], "unknown"
-    task = FindTask(f"find the {words}", ObjectDescription(words))
-    return NamingTrial(
-        scene, (task,), words, f"find the {words}", fitting=fitting, unknown=not fitting, by=by
-    )
+    task: FindTask | PickTask = FindTask(f"find the {words}", ObjectDescription(words))
+    if rng.random() < PICKED:
+        task = PickTask(f"pick up the {words}", ObjectDescription(words))
+    return NamingTrial(scene, (task,), words, task.text, fitting=fitting, unknown=not fitting, by=by)
 
 
 def _said(

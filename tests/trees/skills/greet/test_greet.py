@@ -85,8 +85,7 @@ def test_the_robot_introduces_itself_by_what_it_is_told_of_itself(stage_with):
 
 
 def test_words_are_said_without_a_wave_where_none_can_be_planned_and_that_is_told(stage_with):
-    stage = stage_with(ANA)
-
+    stage = stage_with(person("Ana", (1.3, 0.2)))
     planning = stage.fake.planning
     stage.when("raise hand", lambda: setattr(planning, "no_plan", NoPlan("no room for the hand", {})))
     tree = greet(stage, "Ana")
