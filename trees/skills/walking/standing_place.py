@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
@@ -55,6 +56,7 @@ def standing_place(
     body: PlanarPose,
     support_gap_m: float,
     room: WalkingRoom | None = None,
+    points: Array | None = None,
 ) -> PlanarPose:
     """The pose of the body, in the odometry frame, facing what the task is about.
 
@@ -64,10 +66,11 @@ def standing_place(
         body: Where the body is now; the nearest side is chosen.
         support_gap_m: As for ``support_of``.
         room: What a robot that walks takes: before a person it needs room to turn.
+        points: Where in a region something stands that is not in the scene, shape (n, 2).
     """
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     if place.category == "region" and isinstance(place.shape, Box):
-        return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
+        return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene, points)
     if place.category == "furniture" and isinstance(place.shape, Box):
         sides = _sides(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
         if room is None:
@@ -164,7 +167,7 @@ def _height_m(place: Place, scene: PlanningScene) -> float:
     return max(tops, default=float(place.odom_T_place[2, 3]))
 
 
-def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
+def _inside(box: Box, middle: PlanarPose, scene: PlanningScene, points: Array | None) -> PlanarPose:
     """The place nearest to the middle of a region with room around it, facing as the region does."""
     known = footprints(scene)
     reach_x, reach_y = (max(0.0, 0.5 * size - _FROM_BORDER_M) for size in box.size_m[:2])
@@ -172,11 +175,18 @@ def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
     for x in np.arange(-reach_x, reach_x + 1e-9, _GRID_M):
         for y in np.arange(-reach_y, reach_y + 1e-9, _GRID_M):
             place = middle @ PlanarPose(float(x), float(y))
-            tight_m = max(0.0, _ROOM_M - clearance_m(known, place))
+            free_m = min(clearance_m(known, place), _from_points_m(points, place))
+            tight_m = max(0.0, _ROOM_M - free_m)
             cost = math.hypot(x, y) + 10.0 * tight_m
             if cost < best[0] - 1e-9:
                 best = (cost, place)
     return best[1]
+
+
+def _from_points_m(points: Array | None, place: PlanarPose) -> float:
+    if points is None or not len(points):
+        return math.inf
+    return float(np.hypot(points[:, 0] - place.x_m, points[:, 1] - place.y_m).min())
 
 
 def _sides(
