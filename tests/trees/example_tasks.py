@@ -1,6 +1,8 @@
 """One task for every skill."""
 
 from trees.registry import skills
+from trees.skills.about_people import TellTask
+from trees.skills.answer import AnswerTask
 from trees.tasks import (
     CloseTask,
     CountTask,
@@ -43,6 +45,8 @@ TASKS = {
     CloseTask: CloseTask("close the fridge", ObjectDescription("fridge")),
     MoveTask: MoveTask("go forward", 0.3, 0.0, 0.5),
     WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
+    AnswerTask: AnswerTask("tell me the time", "time"),
+    TellTask: TellTask("tell me the name of the person", "name", ObjectDescription("person")),
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
 
@@ -50,6 +54,7 @@ TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values(
 FURTHER = {
     PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
+    AnswerTask: (AnswerTask("tell Ana the time", "time", "Ana"),),
 }
 
 

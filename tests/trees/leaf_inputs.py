@@ -8,7 +8,7 @@ from kinematics.geometry import poses
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.handle import HandleRequest
 from kinematics.scene.planning_scene import SceneObject
-from robots.fake.fake_world import cup, table
+from robots.fake.fake_world import cup, person, table
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
@@ -18,6 +18,8 @@ from trees.beliefs.grounding.destination import Place
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
+from trees.skills.about_people.about import About
+from trees.skills.about_people.tell_about import TellAbout
 from trees.skills.carrying.ask_for_swap import AskForSwap
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.handle.approach_handle import ApproachHandle
@@ -31,6 +33,7 @@ from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlrea
 from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
 from trees.skills.doors.walk_to_handle import WalkToHandle
 from trees.skills.gestures.turn_to import TurnTo
+from trees.skills.meeting.is_near import IsNear
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom
 from trees.skills.telling.tell_found import TellFound
@@ -133,6 +136,15 @@ def cup_behind(stage):
     return {"place": Place("red cup", "object", red.shape, red.world_T_object, 0.9)}
 
 
+def somebody_near(stage):
+    ana = person()
+    return {"place": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9)}
+
+
+def something_to_tell(_stage):
+    return {"about": About("Ana is sitting", "Ana", ("sitting",), True)}
+
+
 def where_it_stands(stage):
     """A place for which the robot stands well already."""
     red = cup()
@@ -225,6 +237,7 @@ GIVEN = {
     FindBoardRoom: to_put_inside,
     GraspHandle: hand_at_handle,
     IsItSo: open_fridge,
+    IsNear: somebody_near,
     LeadHandle: handle_in_hand,
     PlanHandle: near_handle,
     ReachWatching: reaching,
@@ -232,6 +245,7 @@ GIVEN = {
     SquaredUp: where_it_stands,
     StandsAtHandle: near_handle,
     StandsThereAlready: near_handle,
+    TellAbout: something_to_tell,
     TellFound: cup_to_stand_for,
     TouchFront: hand_at_handle,
     TurnTo: cup_behind,

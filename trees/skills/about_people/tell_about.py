@@ -10,7 +10,7 @@ from trees.skills.meeting.called_person import name_of
 class TellAbout(Leaf):
     """Give out what was noted: to whom it is for, who was met meanwhile, or to everybody."""
 
-    INPUT_PORTS = ports(task=object, about=About, place=optional(Place))
+    INPUT_PORTS = ports(about=About, place=optional(Place))
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="it is in words; whom it is for was met",

@@ -18,8 +18,8 @@ from trees.skills.looking.search_place import search_place
 from trees.skills.meeting.if_far import IfFar
 from trees.skills.meeting.if_outside import IfOutside
 from trees.skills.meeting.is_near import IsNear
-from trees.skills.meeting.know_room import KnowRoom
 from trees.skills.meeting.settings import MeetingSettings
+from trees.skills.searching.choose_room import ChooseRoom
 from trees.skills.searching.look_elsewhere import going, people_in_rooms, turned_around, worth_going
 from trees.skills.telling.is_about_speaker import SPEAKER
 from trees.skills.telling.who_speaks import who_speaks
@@ -70,7 +70,7 @@ def _seen_there(toolbox: Toolbox, slots: Many[str], room: str) -> Behaviour:
     """Go into a room, as far as people there leave a way, and look around in it."""
     level = toolbox.policy.level_gazes
     go: list[Behaviour] = [
-        KnowRoom("know the room", toolbox, room),
+        ChooseRoom("know the room", toolbox, {"rooms_before": "rooms"}, said=room),
         BestEffort(search_place("see who is in the way", toolbox, level[:1], slots)),
         *going(toolbox, {"place": "room"}),
     ]
