@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
 
-from robots.scenes.scene_description import Region
 from trees.nodes.ports import ports
 from trees.nodes.skipping import Skipping
 from trees.readings.odometry import body_pose
@@ -15,17 +14,17 @@ class IfOutside(Skipping):
     """Ticks its child if the robot does not stand in a room of the map; else it succeeds.
 
     Attributes:
-        region: The room.
+        room: Its name; one that is not on the map is not gone to.
     """
 
     INPUT_PORTS = ports()
     OUTPUT_PORTS = ports()
 
-    def __init__(self, child: Behaviour, toolbox: Toolbox, region: Region) -> None:
+    def __init__(self, child: Behaviour, toolbox: Toolbox, room: str) -> None:
         super().__init__(f"{child.name} if outside", child)
-        self._toolbox, self.region = toolbox, region
+        self._toolbox, self.room = toolbox, room
 
     def needed(self) -> bool:
         """Whether the robot has to go there."""
-        body = body_pose(self._toolbox)
-        return not self.region.contains(body.x_m, body.y_m)
+        body, region = body_pose(self._toolbox), self._toolbox.places.get(self.room)
+        return region is not None and not region.contains(body.x_m, body.y_m)

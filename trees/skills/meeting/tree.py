@@ -74,7 +74,7 @@ def _seen_there(toolbox: Toolbox, slots: Many[str], room: str) -> Behaviour:
         BestEffort(search_place("see who is in the way", toolbox, level[:1], slots)),
         *going(toolbox, {"place": "room"}),
     ]
-    inside = IfOutside(Sequence("go there", memory=True, children=go), toolbox, toolbox.places[room])
+    inside = IfOutside(Sequence("go there", memory=True, children=go), toolbox, room)
     look = Alternatives("look there", _seen_here(toolbox, slots), looking_elsewhere_is_useless, worth_going)
     return Sequence(f"in the {room}", memory=True, children=[BestEffort(inside), look])
 

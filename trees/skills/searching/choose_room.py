@@ -39,7 +39,7 @@ class ChooseRoom(Leaf):
         toolbox: Toolbox,
         wiring: Mapping[str, str] | None = None,
         *,
-        said: str | None = None,
+        said: str = "",
     ) -> None:
         """Make the leaf.
 
@@ -47,7 +47,7 @@ class ChooseRoom(Leaf):
             name: Its name.
             toolbox: What it may call; knows the map.
             wiring: As for every leaf.
-            said: The room that is meant, on the map; without one any other.
+            said: The room that is meant, on the map; any other when it is empty.
         """
         super().__init__(name, toolbox, wiring)
         self._said = said
@@ -57,7 +57,7 @@ class ChooseRoom(Leaf):
         body, places = feet_pose(self.toolbox), self.toolbox.places
         here = [name for name, region in places.items() if region.contains(body.x_m, body.y_m)]
         seen = {*(self.optional("rooms_before") or ()), *here}
-        meant = {name: region for name, region in places.items() if self._said in (None, name)}
+        meant = {name: region for name, region in places.items() if self._said in ("", name)}
         left = {name: region for name, region in meant.items() if self._said or name not in seen}
         others = [place_of_region(name, region) for name, region in left.items()]
         if not others:
