@@ -27,6 +27,11 @@ def kind_of(name: str) -> str:
     return name.rstrip("0123456789").rstrip()
 
 
+def is_name(name: str) -> bool:
+    """Whether it is what somebody is called: there is one person of that name."""
+    return name[:1].isupper()
+
+
 def words_for(estimate: ObjectEstimate) -> str:
     """How a thing is called: by its name, else by its kind, and an object by its colour as well, if known."""
     if estimate.category != "object":
@@ -46,8 +51,9 @@ def updated_scene(
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
     Names are kept from look to look. Furniture is never dropped: it does not walk away, and a
-    robot that forgets a table runs into it. An object that was not seen is kept only where it may be
-    out of view or hidden, and only while no other of its kind and colour has appeared (then it moved).
+    robot that forgets a table runs into it. People do walk: who is recognised elsewhere is there.
+    An object that was not seen is kept only where it may be out of view or hidden, and only while no
+    other of its kind and colour has appeared (then it moved).
 
     Args:
         scene: What was believed before.
@@ -74,8 +80,8 @@ def updated_scene(
         for name, item in known.items():
             if name in matched:
                 continue
-            moved = bool(strangers) and may_have_moved
-            stays = not item.movable or (not moved and could_be_unseen(item))
+            moved = bool(strangers) and (may_have_moved or is_name(name))
+            stays = not moved and could_be_unseen(item) if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached, *reserved}

@@ -123,3 +123,14 @@ def test_nobody_is_told_hello_who_is_neither_faced_nor_waved_to(stage_with):
 
     assert tree.status == "failure"
     assert not said(stage)
+
+
+def test_who_has_walked_on_since_the_last_look_is_the_same_person(stage_with):
+    stage = stage_with(person("Ana", (3.5, 0.6)), walks=True)
+    stage.when("walk", lambda: stage.fake.world.move("Ana", (0.6, -0.8, 0.0)))
+
+    tree = greet(stage, "Ana")
+
+    assert tree.status == "success"
+    assert tree.evidence["away_m"] <= 1.8
+    assert [name for name in stage.told.scene.objects if name.startswith("Ana")] == ["Ana"]
