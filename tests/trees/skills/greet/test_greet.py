@@ -134,3 +134,15 @@ def test_who_has_walked_on_since_the_last_look_is_the_same_person(stage_with):
     assert tree.status == "success"
     assert tree.evidence["away_m"] <= 1.8
     assert [name for name in stage.told.scene.objects if name.startswith("Ana")] == ["Ana"]
+
+
+def test_who_walks_aside_during_the_wave_is_waved_to_anew(stage_with):
+    stage = stage_with(person("Ana", (1.3, 0.2)))
+    stage.when("swing hand", lambda: stage.fake.world.move("Ana", (0.0, -0.8, 0.0)))
+
+    tree = greet(stage, "Ana")
+
+    assert said(stage) == ["Hello, Ana!"]
+    first, second = asked(stage, RaiseHandRequest)
+    assert (first.towards_m[1] > 0.0, second.towards_m[1] < -0.4) == (True, True)
+    assert tree.attempts == 2
