@@ -21,13 +21,13 @@ _ASIDE_RAD = math.radians(12.0)
 
 
 class StillThere(LookAround):
-    """Look once more; who has walked aside meanwhile was not waved to. Who is not in view may be there."""
+    """Look once more; who has walked aside meanwhile, or out of view, was not waved to."""
 
     INPUT_PORTS = ports(place=Place)
     OUTPUT_PORTS = ports()
     CONTRACT = Contract(
         precondition="the person was seen before the wave",
-        postcondition="the person, where in view, is in the direction that was faced",
+        postcondition="the person is in the direction that was faced",
         deadline_s=2.0,
     )
 
@@ -37,7 +37,7 @@ class StillThere(LookAround):
         """Compare the directions."""
         place: Place = self.get_input("place")
         if place.name not in seen:
-            return DONE
+            return Failure.postcondition(f"{place.name} has walked out of view")
         now = place_from(place.name, seen[place.name])
         turn = bearing_rad(self.toolbox, now) - bearing_rad(self.toolbox, place)
         aside_rad = abs(math.remainder(turn, 2.0 * math.pi))
