@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from datetime import datetime
 from typing import Protocol
 
 
@@ -67,3 +68,8 @@ def utc_timestamp() -> str:
 def utc_ns() -> int:
     """Wall time since 1970 in nanoseconds, as other programs stamp what they say; for messages only."""
     return time.time_ns()
+
+
+def local_time() -> datetime:
+    """The date and time of day where this machine is, to the second, without a zone."""
+    return datetime.fromtimestamp(int(time.time()))

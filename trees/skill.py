@@ -34,6 +34,7 @@ class Before(Enum):
     AT_GOAL = "the robot stands before the task's goal: where its ``object`` goes, or whom it is for"
     AT_SURFACE = "the robot stands before the furniture that its ``object`` is put on, the task's goal"
     SOURCE_IN_VIEW = "the robot stands before the furniture that it is asked about, ``source``"
+    PERSON_KNOWN = "it is known who its ``person`` is, where a word as me means others elsewhere"
 
 
 class After(Enum):

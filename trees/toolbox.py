@@ -27,6 +27,7 @@ from robots.perception.detector import Detector, RangeSensor
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
+from trees.self_knowledge import Calendar, Identity
 from trees.world_model import WorldModel
 
 Planned = TypeVar("Planned")
@@ -230,6 +231,8 @@ class Toolbox:
     yielding: Yielding | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
     velocities: VelocityFeed | None = None
+    identity: Identity = field(default_factory=Identity)
+    calendar: Calendar = field(default_factory=Calendar)
 
     @property
     def can_walk(self) -> bool:

@@ -13,6 +13,7 @@ from kinematics.requests.grasp import Grasp
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.openings.handles import HandleTarget
+from trees.beliefs.scene.person_looks import PersonLooks
 from trees.beliefs.sight.sight import Glimpse
 
 
@@ -57,6 +58,7 @@ class WorldModel:
     Attributes:
         sightings: The newest estimate of each thing that was seen in this task, by its name, for those that
             are still believed.
+        people: What the looks of this task have told of each person, by name.
         glimpses: The looks that were taken from about here, the newest last; what no look has shown is
             unknown.
         last_acted_on: Name of the object that an earlier task was about, if the task was done or a hand has
@@ -82,6 +84,8 @@ class WorldModel:
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, FormerPlace] = {}
         self.at_handle: HandAtHandle | None = None
+        self.people: Mapping[str, PersonLooks] = {}
+        self._reasons: set[str] = set()
 
     @property
     def scene(self) -> PlanningScene:
@@ -91,13 +95,36 @@ class WorldModel:
     def begin_task(self) -> None:
         """What was seen in another task is believed, and no more; what that put down is where it goes."""
         self.sightings = {}
+        self.people = {}
+        self._reasons.clear()
         held = self._scene.attached
         self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}
+
+    def is_new_reason(self, because: str) -> bool:
+        """Note why something was taken for what is meant; whether this task has not said so yet.
+
+        Args:
+            because: The reason, for people; an empty one is none.
+        """
+        new = bool(because) and because not in self._reasons
+        self._reasons.add(because)
+        return new
 
     def note_sightings(self, seen: Mapping[str, ObjectEstimate]) -> None:
         """Remember what a look saw, and forget what is no longer believed."""
         known = {**self.sightings, **seen}
         self.sightings = {name: known[name] for name in sorted(known) if name in self._scene.objects}
+
+    def note_person(self, name: str, traits: tuple[str, ...]) -> tuple[str, ...]:
+        """Remember what a look told of a person; all that this task's looks have told.
+
+        Args:
+            name: Whom it showed, as the planning scene names them.
+            traits: What it told.
+        """
+        looks = self.people.get(name, PersonLooks()).and_seen(traits)
+        self.people = {**self.people, name: looks}
+        return looks.traits
 
     def note_glimpse(self, glimpse: Glimpse) -> None:
         """Remember a look; those from another standing place are forgotten."""

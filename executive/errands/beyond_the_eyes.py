@@ -14,7 +14,8 @@ from trees.beliefs.scene.labels import can_be_told
 from trees.tasks import ObjectDescription
 
 _SLOTS = ("object", "source", "on", "to")
-_THINGS = frozenset({"KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE"})
+THINGS = frozenset({"KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE"})
+"""Classes of words that name what perception may tell."""
 _NO_THINGS = frozenset({"PERSON", "NAME", "ROOM"})
 _MOST_TOLD = 12
 
@@ -31,9 +32,19 @@ def cannot_be_told(commands: Sequence[Command], labels: Collection[str] | None) 
     for command in commands:
         for slot in _SLOTS:
             for word in _things(getattr(command, slot, None)):
-                if not can_be_told(word, labels) and not can_be_told(kind_called(word), labels):
+                if not is_told(word, labels):
                     return command, word
     return None
+
+
+def is_told(word: str, labels: Collection[str] | None) -> bool:
+    """Whether perception can tell a thing that is called so: a side table is a table.
+
+    Args:
+        word: A noun phrase without article, colour or size.
+        labels: As for ``cannot_be_told``.
+    """
+    return labels is None or can_be_told(word, labels) or can_be_told(kind_called(word), labels)
 
 
 def what_can_be_found(word: str, labels: Collection[str]) -> str:
@@ -51,7 +62,7 @@ def _things(said: object) -> Iterator[str]:
             yield said.kind
         if said.relation is not None:
             yield from _things(said.relation.to)
-    elif isinstance(said, str) and (classes := _classes(said)) & _THINGS and not classes & _NO_THINGS:
+    elif isinstance(said, str) and (classes := _classes(said)) & THINGS and not classes & _NO_THINGS:
         yield said
 
 

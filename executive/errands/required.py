@@ -66,7 +66,7 @@ def goal(command: Command) -> Destination | None:
 def whom(command: Command) -> str | None:
     """Where a command goes or whom it is for, as one word; None where that is described, or is nobody."""
     to = getattr(command, "to", None)
-    if to is None and requires(command, Before.AT_GOAL):
+    if to is None and (requires(command, Before.AT_GOAL) or requires(command, Before.PERSON_KNOWN)):
         to = getattr(command, "person", None)
     return to if isinstance(to, str) else None
 

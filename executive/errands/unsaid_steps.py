@@ -157,6 +157,8 @@ def _steps(commands: Sequence[Command], known: Known) -> Iterator[Prepared]:
             reach = walk(f"come within reach of the {thing}", _at_its_source(thing, said_where))
             before.append(Prepared(reach, unless_held=command if puts_in(command) else None))
         seen_from = seen_from_where(command) if roams and not walked else None
+        if requires(command, Before.PERSON_KNOWN) and seen_from in known.rooms:
+            seen_from = None  # it goes as far into the room as people leave a way
         if seen_from is not None:
             beside = Nearness(_described(seen_from))
             before.append(Prepared(walk(f"walk to the {seen_from}", seen_from), unless_near=beside))

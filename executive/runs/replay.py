@@ -16,6 +16,7 @@ from typing import Any
 from executive.config import forget_config, use_config
 from executive.dialogue.attendant import RecordedAttendant, Stoppable
 from executive.errors import UserError
+from executive.robot_settings import RobotSettings, settings_from_json
 from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun
 from executive.runs.run_request import RunRequest
@@ -169,7 +170,16 @@ def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
         on_question=header.get("on_question", "ask"),
         trust=trust,
         faults=_faults(recorded),
+        settings=_settings(recorded),
     )
+
+
+def _settings(recorded: RecordedRun) -> RobotSettings:
+    """What the robot said of itself, and when its day began; an older record keeps neither."""
+    try:
+        return settings_from_json(recorded.header.get("says_of_itself", {}))
+    except (TypeError, ValueError, AttributeError) as wrong:
+        raise NotReplayableError(recorded.name, f"what it says of itself: {wrong}") from wrong
 
 
 def _faults(recorded: RecordedRun) -> tuple[PlannedFault, ...]:

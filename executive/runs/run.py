@@ -5,17 +5,18 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from executive.config import chosen_config, leave_opengl_to_the_renderer
+from executive.config import chosen_config, config_files, leave_opengl_to_the_renderer
 from executive.dialogue.attendant import Attendant, Nobody
 from executive.dialogue.settle_words import settled
 from executive.ending_signals import EndedBySignal, taken_by, told
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
 from executive.reports.report import Report
+from executive.robot_settings import RobotSettings, robot_settings
 from executive.runs.junit import write_junit
 from executive.runs.real_pace import RealPace
 from executive.runs.run_account import RunAccount, RunSubject
@@ -30,12 +31,13 @@ from kinematics.formats.trajectory_document import write_trajectory
 from kinematics.formats.trajectory_fit import stored_from
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
-from robots.clock import WallClock
+from robots.clock import WallClock, local_time
 from robots.models.description import load_robot_for_tasks
 from robots.outside import known_scenes
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.failures import Failure
+from trees.self_knowledge import USUAL_START, Calendar
 
 if TYPE_CHECKING:
     from executive.runs.pictures import Pictures
@@ -108,6 +110,8 @@ def _performed(
     ending: _Ending,
 ) -> Performance:
     leave_opengl_to_the_renderer()
+    settings = request.settings or robot_settings(config_files())
+    request = replace(request, settings=replace(settings, begins=settings.begins or local_time()))
     scene = _preflight(request)
     pictures = _pictures(request)
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
@@ -133,6 +137,7 @@ def _header(request: RunRequest) -> dict[str, Any]:
         "on_question": request.on_question,
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
+        **({} if request.settings is None else {"says_of_itself": request.settings.to_json()}),
         **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
 
@@ -201,7 +206,17 @@ def _results(
             safe = "safe" if isinstance(answer, CheckedTrajectory) else "unsafe"
             keep.add_motion(write_trajectory(stored_from(asked, assembly.model)), safe)
 
-    assembly = assemble(request.robot, scene, request.seed, sink=sink, on_tick=display.tick, on_judged=judged)
+    settings = request.settings or RobotSettings()
+    assembly = assemble(
+        request.robot,
+        scene,
+        request.seed,
+        sink=sink,
+        on_tick=display.tick,
+        on_judged=judged,
+        identity=settings.identity,
+        calendar=Calendar(settings.begins or USUAL_START),
+    )
     plan_faults(assembly.world, request.faults)
     attendant.begin(assembly.session)
     if (ended := cancelled()) is not None:

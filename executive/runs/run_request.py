@@ -10,6 +10,7 @@ from executive.trust import OnQuestion, Trust
 from robots.scenes.planned_fault import PlannedFault
 
 if TYPE_CHECKING:
+    from executive.robot_settings import RobotSettings
     from executive.understanding.statement import Statement
 
 DEFAULT_ROBOT = "talos"
@@ -37,6 +38,7 @@ class RunRequest:
         script: The task script that the statements come from, or None.
         junit: Where to write a JUnit report, or None.
         faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
+        settings: What the robot says of itself, and when its day begins; None is what the user's files say.
     """
 
     input: str
@@ -55,3 +57,4 @@ class RunRequest:
     script: Path | None = None
     junit: Path | None = None
     faults: tuple[PlannedFault, ...] = ()
+    settings: RobotSettings | None = None

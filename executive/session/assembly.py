@@ -31,6 +31,7 @@ from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
 from trees.policy import TreePolicy
+from trees.self_knowledge import Calendar, Identity
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +71,8 @@ def assemble(
     build: TreeBuilder | None = None,
     posture: Mapping[str, float] | None = None,
     on_judged: Callable[[CheckRequest, CheckedTrajectory | Unsafe], None] = lambda _request, _answer: None,
+    identity: Identity | None = None,
+    calendar: Calendar | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -87,6 +90,8 @@ def assemble(
         build: Makes a task's tree; `build_tree` when left out.
         posture: Positions of joints that are not where the home posture has them; it is home then.
         on_judged: Called with every motion that the checker judged, and its answer.
+        identity: What the robot says of itself; nothing when left out.
+        calendar: What day and time it is; when left out the usual beginning of a simulated day.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -132,6 +137,8 @@ def assemble(
         tick_sensors=perception.tick,
         on_period=on_period,
         on_tick=on_tick,
+        identity=identity,
+        calendar=calendar,
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
 

@@ -20,6 +20,7 @@ from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.events import Offered
 from trees.policy import TreePolicy
+from trees.self_knowledge import Calendar, Identity
 from trees.toolbox import Gripper, MotionControl, Planning, Toolbox, VelocityFeed, Walking, Yielding
 from trees.world_model import WorldModel
 
@@ -79,6 +80,8 @@ def session_on(
     tick_sensors: Callable[[], None] | None = None,
     on_period: Callable[[], None] | None = None,
     on_tick: Callable[[TaskTree], None] | None = None,
+    identity: Identity | None = None,
+    calendar: Calendar | None = None,
 ) -> tuple[Session, Supervisor]:
     """Put a session on a robot, with a toolbox for its trees and somebody who supervises it.
 
@@ -94,6 +97,8 @@ def session_on(
         tick_sensors: Called each control period: simulated sensors that run beside the loop.
         on_period: Called after each control period.
         on_tick: Called after each tick of a tree.
+        identity: What it says of itself; nothing when left out.
+        calendar: What day and time it is; the usual beginning of a simulated day when left out.
     """
     hub = sink if isinstance(sink, EventHub) else EventHub(sink)
 
@@ -119,6 +124,8 @@ def session_on(
         yielding=robot.yielding,
         places=places,
         velocities=velocities,
+        identity=identity or Identity(),
+        calendar=calendar or Calendar(),
     )
     supervisor = Supervisor(robot.guard, robot.clock, hub)
     session = Session(

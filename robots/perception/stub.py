@@ -34,9 +34,9 @@ from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
 from robots.perception.truth_view import TrueObject, TruthView
-from robots.scenes.articulated import PART_KINDS
+from robots.scenes.articulated import PART_KINDS, moving_solids
 from robots.scenes.furniture import FURNITURE_KINDS
-from robots.scenes.scene_description import PerceptionModel
+from robots.scenes.scene_description import PerceptionModel, SceneDescription, spoken_words
 from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
 # A plane is recognised from a small part of it; an object needs the declared share.
@@ -336,3 +336,15 @@ def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str
         return None
     known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called}
     return frozenset(word.casefold() for word in known)
+
+
+def labels_in(scene: SceneDescription) -> frozenset[str] | None:
+    """The words that a robot's perception can tell in a scene, before there is a world; None when any.
+
+    Args:
+        scene: What is there, and what it declares.
+    """
+    people = ["person"] if scene.people else []
+    parts = [solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)]
+    called = [*spoken_words(scene), *people, *filter(None, parts)]
+    return told_labels(called, scene.perception.labels)

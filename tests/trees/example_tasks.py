@@ -1,6 +1,8 @@
 """One task for every skill."""
 
 from trees.registry import skills
+from trees.skills.about_people import TellTask
+from trees.skills.answer import AnswerTask
 from trees.skills.follow import FollowTask
 from trees.skills.guide import GuideTask
 from trees.tasks import (
@@ -47,6 +49,8 @@ TASKS = {
     WalkToTask: WalkToTask("walk to the table", ObjectDescription("table")),
     FollowTask: FollowTask("follow Ana", "Ana"),
     GuideTask: GuideTask("guide Ana to the table", "Ana", to="table"),
+    AnswerTask: AnswerTask("tell me the time", "time"),
+    TellTask: TellTask("tell me the name of the person", "name", ObjectDescription("person")),
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
 
@@ -54,6 +58,7 @@ TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values(
 FURTHER = {
     PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
+    AnswerTask: (AnswerTask("tell Ana the time", "time", "Ana"),),
 }
 
 

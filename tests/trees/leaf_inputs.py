@@ -19,6 +19,8 @@ from trees.beliefs.grounding.destination import Place, place_of_region
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
+from trees.skills.about_people.about import About
+from trees.skills.about_people.tell_about import TellAbout
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.handle.approach_handle import ApproachHandle
 from trees.skills.doors.handle.grasp_handle import GraspHandle
@@ -37,6 +39,7 @@ from trees.skills.gestures.turn_to import TurnTo
 from trees.skills.guide import GuideTask
 from trees.skills.guide.lead import Lead
 from trees.skills.guide.speak_to_guest import SpeakToGuest
+from trees.skills.meeting.is_near import IsNear
 from trees.skills.place.swap_hands import AskForSwap
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom
@@ -138,6 +141,15 @@ def cup_behind(stage):
     clear(stage)
     red = cup(place_m=(-0.8, 0.5))
     return {"place": Place("red cup", "object", red.shape, red.world_T_object, 0.9)}
+
+
+def somebody_near(stage):
+    ana = person()
+    return {"place": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9)}
+
+
+def something_to_tell(_stage):
+    return {"about": About("Ana is sitting", "Ana", ("sitting",), True)}
 
 
 def where_it_stands(stage):
@@ -257,6 +269,7 @@ GIVEN = {
     GraspHandle: hand_at_handle,
     IsItSo: open_fridge,
     Lead: somebody_to_lead,
+    IsNear: somebody_near,
     LeadHandle: handle_in_hand,
     PlanHandle: near_handle,
     ReachWatching: reaching,
@@ -266,6 +279,7 @@ GIVEN = {
     SquaredUp: where_it_stands,
     StandsAtHandle: near_handle,
     StandsThereAlready: near_handle,
+    TellAbout: something_to_tell,
     TellFound: cup_to_stand_for,
     TouchFront: hand_at_handle,
     TurnTo: cup_behind,

@@ -22,6 +22,8 @@ from trees.nodes.skipping import IfShifted, OnlyAfter, UnlessHeld
 from trees.skills.gestures.turn_to import IfBeside
 from trees.skills.home.tree import IfNothingIsKnown
 from trees.skills.looking.look_along_way import UnlessSeen
+from trees.skills.meeting.if_far import IfFar
+from trees.skills.meeting.if_outside import IfOutside
 
 JUDGES = Callable[[Failure], bool]
 JUDGES_WAYS = Callable[[Behaviour, Failure | None], bool]
@@ -129,6 +131,24 @@ _BY_CLASS: dict[type[Behaviour], NodeKind] = {
             _literal("beyond_rad", float, "so far to a side it is too far for the trunk, rad"),
             Port("place", "input", "Place", description="what was found"),
         ),
+        (1, 1),
+        transparent=True,
+    ),
+    IfFar: NodeKind(
+        "IfFar",
+        "Decorator",
+        lambda parts: IfFar(parts.children[0], parts.toolbox),
+        lambda _node: {},
+        (Port("place", "input", "Place", description="the person who was found"),),
+        (1, 1),
+        transparent=True,
+    ),
+    IfOutside: NodeKind(
+        "IfOutside",
+        "Decorator",
+        lambda parts: IfOutside(parts.children[0], parts.toolbox, parts.settings["room"]),
+        lambda node: {"room": node.room},
+        (_literal("room", str, "a room of the map that the robot does not stand in"),),
         (1, 1),
         transparent=True,
     ),

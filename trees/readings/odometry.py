@@ -56,3 +56,9 @@ def base_pose(toolbox: Toolbox) -> Transform:
     """Pose of the robot's base in the odometry frame, shape (4, 4)."""
     model = toolbox.model
     return model.frame_pose(toolbox.sensing.state().q, model.description.base_link)
+
+
+def away_m(toolbox: Toolbox, place: Place) -> float:
+    """How far the middle of a place is from the body, along the floor."""
+    x_m, y_m = place.odom_T_place[:2, 3].tolist()
+    return body_pose(toolbox).distance_m(PlanarPose(x_m, y_m))

@@ -8,6 +8,11 @@ from typing import Annotated
 
 import typer
 
+from executive.runs.run_request import DEFAULT_SCENE
+
+_TOLD = "*"
+"""Marks what perception can tell."""
+
 
 class What(StrEnum):
     """What can be listed."""
@@ -18,13 +23,21 @@ class What(StrEnum):
     WORDS = "words"
 
 
-def list_(what: Annotated[What, typer.Argument(help="What to list.")]) -> None:
+def list_(
+    what: Annotated[What, typer.Argument(help="What to list.")],
+    scene: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME|FILE.toml", help="Of words: mark what the robot's perception can tell there."
+        ),
+    ] = DEFAULT_SCENE,
+) -> None:
     """List robots, scenes, skills or words."""
-    for line in _lines(what):
+    for line in _lines(what, scene):
         typer.echo(line)
 
 
-def _lines(what: What) -> Iterator[str]:
+def _lines(what: What, scene: str) -> Iterator[str]:
     match what:
         case What.ROBOTS:
             from robots.outside import known_robots
@@ -39,7 +52,7 @@ def _lines(what: What) -> Iterator[str]:
         case What.SKILLS:
             yield from _skills()
         case What.WORDS:
-            yield from _words()
+            yield from _words(scene)
 
 
 def _skills() -> Iterator[str]:
@@ -68,15 +81,20 @@ def _left_out(complaints: Iterable[str]) -> Iterator[str]:
         yield f"left out: {complaint}"
 
 
-def _words() -> Iterator[str]:
+def _words(scene: str) -> Iterator[str]:
     """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
     from executive.config import config_files
+    from executive.errands.beyond_the_eyes import THINGS, is_told
     from executive.vocabulary import load_vocabulary
     from executive.vocabulary.outside import outside_words
+    from robots.perception.stub import labels_in
+    from robots.scenes.scene_file import load_scene
 
+    labels = labels_in(load_scene(scene))
     classes = load_vocabulary(config_files()).classes
     usable = frozenset(name for name, word_class in classes.items() if not word_class.derived)
     yield from _left_out(outside_words(usable).complaints)
+    yield f"{_TOLD} is what the robot's perception can tell in the scene {scene}"
     for name, word_class in sorted(classes.items()):
         if word_class.derived:
             continue
@@ -84,4 +102,5 @@ def _words() -> Iterator[str]:
         yield f"{name.lower()}{note}"
         for meaning, phrases in word_class.words.items():
             if ":" not in meaning:
-                yield f"  {meaning}: {', '.join(phrases)}"
+                told = f" {_TOLD}" if name in THINGS and is_told(meaning, labels) else ""
+                yield f"  {meaning}{told}: {', '.join(phrases)}"

@@ -89,6 +89,7 @@ def serve(
     from executive.checks.machine import compile_kernel
     from executive.doors.companion import Companion
     from executive.live.caller.service import Service, ServiceRequest
+    from executive.robot_settings import robot_settings
     from executive.runs.run_log import require_recordable
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
@@ -110,7 +111,8 @@ def serve(
     load_scene(scene)
     if scene not in known_scenes():
         scene = str(Path(scene).absolute())  # who sends a script may be in another folder
-    parser_with(config_files())  # a file of words with a mistake is said here, not by the executive
+    parser_with(config_files())  # a file of settings with a mistake is said here, not by the executive
+    robot_settings(config_files())
     runs = record or runs_directory()
     require_recordable(runs)
     compile_kernel(say)

@@ -8,6 +8,7 @@ from typing import IO, Any, cast
 
 import numpy as np
 
+from executive.config import config_files
 from executive.dialogue.settle_words import settled
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
@@ -24,6 +25,7 @@ from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.told_as_json import scene_json, tree_json
 from executive.meaning import StopCommand
+from executive.robot_settings import robot_settings
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
 from executive.screens.display import PlainDisplay
@@ -38,6 +40,7 @@ from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
 from executive.vocabulary.place_words import words_of_the_place
 from kinematics.model.robot_model import RobotModel
+from robots.clock import local_time
 from robots.errors import SceneError
 from robots.live.wire.connection import Connection
 from robots.live.wire.runtime_folder import RuntimeFolder
@@ -49,6 +52,7 @@ from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.failures import Failure
 from trees.readings.odometry import what_is_around
+from trees.self_knowledge import Calendar
 from trees.toolbox import VelocityFeed
 from trees.world_model import WorldModel
 
@@ -114,8 +118,18 @@ class LiveExecutive:
             see_offer=link.offer,
         )
         places = _places(str(link.about["scene"]), chance.places)
+        settings = robot_settings(config_files())
+        began = settings.begins or local_time()
         self._session, self._supervisor = session_on(
-            served, self._note, chance, places, velocities=self._velocities, world=world, on_tick=self._show
+            served,
+            self._note,
+            chance,
+            places,
+            velocities=self._velocities,
+            world=world,
+            on_tick=self._show,
+            identity=settings.identity,
+            calendar=Calendar(began, served.clock.now_s()),
         )
         self._engaged = False
 

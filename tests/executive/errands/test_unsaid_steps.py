@@ -14,6 +14,7 @@ from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
 from trees.failures import Failure, Reason
+from trees.skills.greet import GreetTask
 from trees.tasks import (
     WHERE_IT_WAS,
     CloseTask,
@@ -505,3 +506,29 @@ def test_what_is_fetched_after_a_door_was_opened_is_fetched_from_where_it_is_sai
     [*_, reach] = [step.command for step in steps(said) if type(step.command) is WalkToTask]
 
     assert str(reach.to) == "cup on the other table"
+
+
+ROOMS = Known(rooms=frozenset({"kitchen", "hall"}))
+
+
+def test_whoever_is_greeted_in_a_room_is_looked_for_by_the_greeting_itself():
+    greeting = GreetTask("greet Ana in the kitchen", "Ana", "kitchen")
+
+    assert [step.command for step in prepared([greeting], True, ROOMS)] == [greeting]
+
+
+def test_somebody_at_the_table_is_seen_from_before_it():
+    greeting = GreetTask("greet the person at the table", ObjectDescription("person"), "table")
+
+    walk, _ = prepared([greeting], True, ROOMS)
+
+    assert walk.command.to == "table"
+
+
+def test_who_speaks_is_found_out_before_the_robot_goes_away_and_greets_them():
+    walk, greeting = WalkToTask("go to the kitchen", "kitchen"), GreetTask("greet me", "me")
+
+    first, *_ = prepared([walk, greeting], True, ROOMS)
+
+    assert first.finds_who == "me"
+    assert with_names(greeting, {"me": "Ana"}).person == "Ana"

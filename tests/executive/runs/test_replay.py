@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from executive.config import forget_config, use_config
 from executive.dialogue import attendant as attendants
 from executive.runs.replay import NotReplayableError, replay
 from executive.runs.run import perform
@@ -210,3 +211,16 @@ def test_a_live_run_is_not_replayed(went_home):
 
     with pytest.raises(NotReplayableError, match="live"):
         replay(live)
+
+
+def test_a_record_keeps_what_the_robot_says_of_itself_and_when_its_day_began(run, tmp_path):
+    config = tmp_path / "own.toml"
+    config.write_text('[robot]\nname = "Tally"\nbegins = 2027-12-31T23:59:00\n')
+    use_config(config)
+    try:
+        _, recorded = run("say hello")
+    finally:
+        forget_config()
+
+    assert recorded.header["says_of_itself"] == {"name": "Tally", "begins": "2027-12-31T23:59:00"}
+    assert replay(recorded).difference is None

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import trees.nodes.judgements
-from tests.trees.example_tasks import TASKS, root_of
+from tests.trees.example_tasks import FURTHER, TASKS, root_of
 from trees.btcpp import judgement_names
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.judgement_names import known_judgements, load_judgements, own_judgements
@@ -37,6 +37,7 @@ from trees.skills.doors.open import moving_it_again_is_useless, what_was_seen_de
 from trees.skills.place.know_destination import cannot_go_there
 from trees.skills.put_in.put_behind_door import put_behind_door
 from trees.skills.telling.tree import find_several
+from trees.tasks import FindTask
 
 DATA = Path(__file__).parent / "data"
 MODULE = re.compile(r"\b(trees|robots|kinematics|executive)\.[a-z_]|[a-z]:[a-z_]")
@@ -45,7 +46,7 @@ MODULE = re.compile(r"\b(trees|robots|kinematics|executive)\.[a-z_]|[a-z]:[a-z_]
 MADE_BY = {
     **{skill: partial(root_of, TASKS[built.task]) for skill, built in built_in().items()},
     "put_behind_door": put_behind_door,
-    "find_several": find_several,
+    "find_several": partial(find_several, FURTHER[FindTask][0]),
     "leave_handle": leave_handle,
 }
 

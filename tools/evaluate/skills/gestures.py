@@ -28,7 +28,7 @@ TABLE_CHANCE = 0.6
 _EVERY = 5
 
 
-class _Truth:
+class AimedAt:
     """Where the robot's parts and the aim are."""
 
     def __init__(self, assembly: Assembly, trial: Trial) -> None:
@@ -81,7 +81,7 @@ class WaveJudge:
     """Counts swings of a hand above its shoulder while the chest faces the person."""
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
-        self._see = _Truth(assembly, trial)
+        self._see = AimedAt(assembly, trial)
         self._periods = 0
         self._aside: dict[Hand, list[float]] = {hand: [] for hand in HANDS}
         self._most: dict[Hand, int] = dict.fromkeys(HANDS, 0)
@@ -137,7 +137,7 @@ class PointJudge:
     """Measures where an arm points while it is held out."""
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
-        self._see = _Truth(assembly, trial)
+        self._see = AimedAt(assembly, trial)
         self._holding = False
         self._worst: dict[Hand, float] = {}
 
@@ -165,7 +165,7 @@ class LookJudge:
     """Measures where the camera looks at the end."""
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
-        self._see = _Truth(assembly, trial)
+        self._see = AimedAt(assembly, trial)
 
     def on_event(self, event: object) -> None:
         """Nothing to learn from events."""

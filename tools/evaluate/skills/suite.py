@@ -16,6 +16,9 @@ from trees.tasks import Task
 
 Figure = float | int | str | bool
 
+ANY_END = "any"
+"""Of suites in which a question or a no may be what is right."""
+
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
@@ -59,6 +62,7 @@ class Trial:
         sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
         first: Asked before the sentence.
         given: Names of what people were given before; it moves with their hands.
+        as_errand: Whether ``tasks`` are one errand, with what has to be done before each.
     """
 
     scene: SceneDescription
@@ -67,6 +71,7 @@ class Trial:
     sentence: str = ""
     first: tuple[Task, ...] = ()
     given: tuple[str, ...] = ()
+    as_errand: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +83,8 @@ class SkillSuite:
         judge: Makes its judge, before the first task; the generator is another one than the trial's.
         stands: Whether the robot stands all the while, so that its CoM must stay inside its feet.
         bar: Share of episodes that have to be truly done.
-        ends: How the last task is to end; an episode that ends so counts as claimed.
+        ends: How the last task is to end; an episode that ends so counts as claimed. "any" leaves it to the
+            judge: a question or a no may be what is right.
     """
 
     trial: Callable[[np.random.Generator], Trial]

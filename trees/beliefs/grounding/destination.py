@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal
 
@@ -55,6 +55,7 @@ class Place(Sealed):
         shape: Its solid.
         odom_T_place: Its pose, shape (4, 4).
         confidence: How sure the detector was of it, in [0, 1].
+        because: Why it is that, for people, where the word that was said is not what it is called.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Place(Sealed):
     shape: Shape
     odom_T_place: Transform
     confidence: float
+    because: str = ""
 
     @property
     def aim_m(self) -> NDArray[np.float64]:
@@ -94,9 +96,29 @@ def slot_of(task: object, slots: Sequence[str] = SLOTS) -> str | None:
     return next((slot for slot in slots if getattr(task, slot, None) is not None), None)
 
 
+WHOSE = "of"
+"""The slot of a task that tells something of somebody."""
+
+
+PERSON_SLOTS = (PERSON,)
+"""For what is done to somebody, or said."""
+
+
 def aims_at_person(task: object, slot: str | None) -> bool:
     """Whether what a slot describes is somebody, whatever the words are."""
-    return slot == PERSON or (slot == "to" and isinstance(task, HandOverTask))
+    return slot in (PERSON, WHOSE) or (slot == "to" and isinstance(task, HandOverTask))
+
+
+def where_person_is(task: object, slot: str | None) -> Destination | None:
+    """Where the person whom a slot describes is said to be; None where nobody says it, or it is no person."""
+    described = WHOSE if hasattr(task, WHOSE) else PERSON
+    has_thing = getattr(task, "object", None) is not None
+    return getattr(task, "source", None) if slot == described and not has_thing else None
+
+
+def is_anybody(wanted: Destination | None) -> bool:
+    """Whether a person is meant of whom nothing is said."""
+    return wanted in (None, *_ANYBODY[1:]) or wanted == ObjectDescription(PERSON)
 
 
 def resolve(
@@ -106,6 +128,8 @@ def resolve(
     slot: str = "object",
     somebody: bool = False,
     recalled: Mapping[str, Place] = MappingProxyType({}),
+    *,
+    whoever: bool = False,
 ) -> Place | Failure:
     """Find what is meant among what was seen.
 
@@ -117,12 +141,15 @@ def resolve(
         slot: Of the task, that says so; an answer to a question goes there.
         somebody: Whether a person is meant, whatever the words are.
         recalled: People by their names, where they were seen before.
+        whoever: Whether one who is there is meant, of whom nothing is said: not the one straight ahead.
 
     Returns:
         The place, or why not: nothing fits, or several things do (the failure has ``choices``).
     """
     if isinstance(wanted, ObjectOf):
         raise TypeError("the object of an earlier task was not filled in")
+    if whoever:
+        return _grounded(person_meant(ObjectDescription(PERSON), around), seen, slot, recalled)
     if isinstance(wanted, ObjectDescription) and compares_people(wanted, somebody):
         return _grounded(person_meant(wanted, around), seen, slot, recalled, one_will_do=True)
     if isinstance(wanted, ObjectDescription) and wanted.kind != PERSON and not wanted.name:
@@ -190,9 +217,9 @@ def _grounded(
             return which_is_meant(unclear, slot, one_will_do=one_will_do)
         case Missing(message):
             return Failure.postcondition(message, seen=kinds_in(seen)).because(Reason.NOT_SEEN)
-        case Found(names):
+        case Found(names, because):
             if names[0] in seen:
-                return place_from(names[0], seen[names[0]])
+                return replace(place_from(names[0], seen[names[0]]), because=because)
             if names[0] in recalled:
                 return recalled[names[0]]
             message = f"{_the(names[0])} was seen before, but is not in view now"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Destination, Skill
+from trees.api import Before, Destination, Skill, as_answered
 
 if TYPE_CHECKING:
     from trees.api import Behaviour, Toolbox
@@ -32,8 +32,17 @@ class TellTask:
     action = "tell"
 
 
-def _tree(_task: TellTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+def _tree(task: TellTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.about_people.tree import tell
+
+    return tell(task, toolbox)
 
 
-SKILL = Skill(task=TellTask, tree=_tree, example="tell me the name of the person in the kitchen")
+SKILL = Skill(
+    task=TellTask,
+    tree=_tree,
+    example="tell me the name of the person in the kitchen",
+    claim=as_answered,
+    before=frozenset({Before.SOURCE_IN_VIEW, Before.PERSON_KNOWN}),
+    goes_away=True,
+)

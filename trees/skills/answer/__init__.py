@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Destination, Skill
+from trees.api import Before, Destination, Skill, as_answered
 
 if TYPE_CHECKING:
     from trees.api import Behaviour, Toolbox
@@ -29,8 +29,17 @@ class AnswerTask:
     action = "answer"
 
 
-def _tree(_task: AnswerTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+def _tree(task: AnswerTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.answer.tree import answer
+
+    return answer(task, toolbox)
 
 
-SKILL = Skill(task=AnswerTask, tree=_tree, example="tell me the time")
+SKILL = Skill(
+    task=AnswerTask,
+    tree=_tree,
+    example="tell me the time",
+    claim=as_answered,
+    before=frozenset({Before.PERSON_KNOWN}),
+    goes_away=True,
+)

@@ -11,13 +11,12 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
 from trees.readings.held import free_hands
 from trees.readings.odometry import bearing_rad
-from trees.tasks import WaveTask
 
 
 class RaiseHand(PlannedMotionLeaf):
     """Turn the trunk to the person, and raise a free hand beside the head."""
 
-    INPUT_PORTS = ports(task=WaveTask, place=Place)
+    INPUT_PORTS = ports(task=object, place=Place)
     OUTPUT_PORTS = ports(waving_hand=str)
     CONTRACT = Contract(
         precondition="the person was seen; a hand is free",
@@ -30,7 +29,7 @@ class RaiseHand(PlannedMotionLeaf):
     def goal(self) -> RaiseHandRequest | Failure:
         """The named hand, else the free one on the person's side: it need not cross the body."""
         place: Place = self.get_input("place")
-        free = free_hands(self.toolbox, self.get_input("task").hand)
+        free = free_hands(self.toolbox, getattr(self.get_input("task"), "hand", None))
         if isinstance(free, Failure):
             return free
         nearer: Hand = "left" if bearing_rad(self.toolbox, place) > 0.0 else "right"

@@ -12,7 +12,7 @@ from py_trees.composites import Sequence
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import PathSteering, Steering
-from trees.beliefs.grounding.destination import Place
+from trees.beliefs.grounding.destination import SLOTS, Place
 from trees.failures import Failure
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.contract import Contract
@@ -77,14 +77,20 @@ BEHIND_RAD = 2.2
 """Trunk and head together look so far round."""
 
 
-def turned_to(name: str, toolbox: Toolbox, gazes: Many[Gaze], beyond_rad: float = BESIDE_RAD) -> Behaviour:
+def turned_to(
+    name: str,
+    toolbox: Toolbox,
+    gazes: Many[Gaze],
+    beyond_rad: float = BESIDE_RAD,
+    slots: Many[str] = SLOTS,
+) -> Behaviour:
     """Turn to it where it is farther to a side than that, and see it again. Reads and writes "place"."""
     away: list[Behaviour] = [change_viewpoint(toolbox, "room"), _turn(toolbox)]
     ways: list[Behaviour] = [_turn(toolbox), Sequence("from a step away", memory=True, children=away)]
     turn: list[Behaviour] = [
         ReadyToWalk("stand upright", toolbox),
         Alternatives("face it", ways, narrower_arms_are_useless),
-        search_place("see it again", toolbox, gazes),
+        search_place("see it again", toolbox, gazes, slots),
     ]
     return IfBeside(Sequence(name, memory=True, children=turn), toolbox, beyond_rad)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Destination, Need, Skill
+from trees.api import Before, Destination, Need, Skill
 
 if TYPE_CHECKING:
-    from trees.api import Behaviour, Toolbox
+    from trees.api import Behaviour, Evidence, Toolbox
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +30,23 @@ class GreetTask:
     action = "greet"
 
 
-def _tree(_task: GreetTask, toolbox: Toolbox) -> Behaviour:
-    raise NotImplementedError
+def _tree(task: GreetTask, toolbox: Toolbox) -> Behaviour:
+    from trees.skills.greet.tree import greet
+
+    return greet(task, toolbox)
 
 
-SKILL = Skill(task=GreetTask, tree=_tree, example="greet Ana", needs=frozenset({Need.ARM}))
+def _claim(text: str, _subject: str, evidence: Evidence) -> str:
+    """That nobody waved is told."""
+    return text if evidence.get("swings", 0) else f"{text}, without waving"
+
+
+SKILL = Skill(
+    task=GreetTask,
+    tree=_tree,
+    example="greet Ana",
+    claim=_claim,
+    needs=frozenset({Need.ARM}),
+    before=frozenset({Before.SOURCE_IN_VIEW, Before.PERSON_KNOWN}),
+    goes_away=True,
+)

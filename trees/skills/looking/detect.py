@@ -82,7 +82,7 @@ class Detect(LookLeaf):
         if isinstance(chosen, Failure):
             return chosen
         self._set_output("target", chosen)
-        if self._because:
+        if self.toolbox.world.is_new_reason(self._because):
             self.toolbox.events(Said(self.toolbox.clock.now_s(), self._because))
         x, y, z = chosen.odom_T_object[:3, 3]
         self.feedback_message = f"{chosen.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"

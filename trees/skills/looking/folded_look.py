@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -104,6 +105,19 @@ def folded_look(
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
     )
+    update = _with_what_looks_told(toolbox, update)
     world.update(update.scene)
     world.note_glimpse(glimpse)
     return update
+
+
+def _with_what_looks_told(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
+    """People with all that the looks of this task have told of them, not the newest alone."""
+    scene, seen = update.scene, dict(update.seen)
+    for name, estimate in update.seen.items():
+        if estimate.category == "person":
+            traits = toolbox.world.note_person(name, estimate.traits)
+            if traits != estimate.traits:
+                seen[name] = replace(estimate, traits=traits)
+                scene = scene.with_objects([scene_object(name, seen[name], toolbox.policy)])
+    return SceneUpdate(scene, seen)

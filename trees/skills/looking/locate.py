@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from py_trees.common import Status
 
@@ -13,19 +14,22 @@ from trees.beliefs.grounding.destination import (
     aim_of,
     aims_at_person,
     compares_people,
+    is_anybody,
     resolve,
     slot_of,
+    where_person_is,
 )
 from trees.beliefs.grounding.grounding import Found, Missing, exactly, ground
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.openings.handles import MEANT_BY
-from trees.beliefs.scene.believed_thing import Surroundings
+from trees.beliefs.scene.believed_thing import PERSON, Surroundings
+from trees.events import Said
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
-from trees.tasks import Destination, ObjectDescription
+from trees.tasks import Destination, ObjectDescription, Relation
 from trees.toolbox import Toolbox
 
 _CONFIDENCE = 0.5
@@ -67,19 +71,27 @@ class Locate(LookAround):
         task = self.get_input("task")
         slot, aim = slot_of(task, self._slots), aim_of(task, self._slots)
         somebody = aims_at_person(task, slot)
-        if not self._settles and _compares(aim, somebody):
+        said_at = where_person_is(task, slot)
+        whoever = said_at is not None and is_anybody(aim)
+        if not self._settles and (whoever or _compares(aim, somebody)):
             message = f"looking whether there is more than this {aim}"
             return Failure.postcondition(message).because(Reason.MORE_LOOKS_NEEDED)
         around = self.around()
+        if said_at is not None:
+            seen, around, aim = self._among_those_there(said_at, seen, around, aim)
         if slot == "object":
             there = self._where_it_is_said_to_be(aim, getattr(task, "source", None), around)
             if isinstance(there, Failure):
                 return there
             aim = there
-        place = resolve(aim, seen, around, slot or "object", somebody, self._people(around))
+        whoever = whoever and said_at in self.toolbox.places
+        people = self._people(around)
+        place = resolve(aim, seen, around, slot or "object", somebody, people, whoever=whoever)
         if isinstance(place, Failure):
             return place
         self._set_output("place", place)
+        if self.toolbox.world.is_new_reason(place.because):
+            self.toolbox.events(Said(self.toolbox.clock.now_s(), place.because))
         x, y, z = place.odom_T_place[:3, 3]
         self.feedback_message = f"{place.name} at {x:.2f}, {y:+.2f}, {z:.2f} m"
         return DONE
@@ -103,6 +115,39 @@ class Locate(LookAround):
                 return exactly(names[0])
             case _:
                 return aim
+
+    def _among_those_there(
+        self,
+        said_at: Destination,
+        seen: Mapping[str, ObjectEstimate],
+        around: Surroundings,
+        aim: Destination | None,
+    ) -> tuple[Mapping[str, ObjectEstimate], Surroundings, Destination | None]:
+        """What is seen and believed, without people who are in another room than somebody is said to be in.
+
+        Who is said to be at some furniture is next to it.
+        """
+        region = self.toolbox.places.get(said_at) if isinstance(said_at, str) else None
+        if region is None:
+            if is_anybody(aim):
+                aim = ObjectDescription(PERSON)
+            if isinstance(aim, ObjectDescription) and aim.relation is None:
+                aim = replace(aim, relation=Relation("next_to", said_at))
+            return seen, around, aim
+        objects = self.toolbox.world.scene.objects
+        places = {
+            thing.name: objects[thing.name].world_T_object for thing in around.things if thing.is_person
+        }
+        outside = tuple(
+            name
+            for name, place in places.items()
+            if not region.contains(float(place[0, 3]), float(place[1, 3]))
+        )
+        return (
+            {name: item for name, item in seen.items() if name not in outside},
+            around.without(outside),
+            aim,
+        )
 
     def _people(self, around: Surroundings) -> dict[str, Place]:
         """Everybody, where they were seen last."""

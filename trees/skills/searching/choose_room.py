@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from kinematics.geometry.planar import PlanarPose
@@ -11,6 +13,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
+from trees.toolbox import Toolbox
 
 
 class ChooseRoom(Leaf):
@@ -29,12 +32,33 @@ class ChooseRoom(Leaf):
         deadline_s=1.0,
     )
 
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        said: str = "",
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call; knows the map.
+            wiring: As for every leaf.
+            said: The room that is meant, on the map; any other when it is empty.
+        """
+        super().__init__(name, toolbox, wiring)
+        self._said = said
+
     def step(self) -> Status | Failure:
         """Look through the map."""
         body, places = feet_pose(self.toolbox), self.toolbox.places
         here = [name for name, region in places.items() if region.contains(body.x_m, body.y_m)]
         seen = {*(self.optional("rooms_before") or ()), *here}
-        others = [place_of_region(name, region) for name, region in places.items() if name not in seen]
+        meant = {name: region for name, region in places.items() if self._said in ("", name)}
+        left = {name: region for name, region in meant.items() if self._said or name not in seen}
+        others = [place_of_region(name, region) for name, region in left.items()]
         if not others:
             return Failure.postcondition("no other room is on the map").because(self.NONE_LEFT)
         room = min(others, key=lambda one: body.distance_m(PlanarPose.of(one.odom_T_place)))

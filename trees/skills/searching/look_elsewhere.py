@@ -8,6 +8,7 @@ from collections.abc import Sequence as Many
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.beliefs.grounding.destination import SLOTS
 from trees.failures import Failure, FailureKind
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import judgement, looking_elsewhere_is_useless
@@ -31,9 +32,9 @@ _CHOOSING = (ChooseFurniture, ChooseRoom, ChooseOutlook)
 _ALL_AROUND: tuple[Viewpoint, ...] = ("around", "room", "around", "around")
 
 
-def turned_around(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
+def turned_around(toolbox: Toolbox, gazes: Many[Gaze], slots: Many[str] = SLOTS) -> list[Behaviour]:
     """Ways to see it by turning once around, after a step where there is no room to turn."""
-    return [viewpoint(toolbox, k, way, gazes) for k, way in enumerate(_ALL_AROUND, start=1)]
+    return [viewpoint(toolbox, k, way, gazes, slots) for k, way in enumerate(_ALL_AROUND, start=1)]
 
 
 def found_by_turning(name: str, toolbox: Toolbox, gazes: Many[Gaze]) -> Alternatives:
@@ -57,12 +58,14 @@ def turning_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     return all(turn.toolbox.can_walk for turn in turns)
 
 
-def viewpoint(toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze]) -> Behaviour:
+def viewpoint(
+    toolbox: Toolbox, number: int, way: Viewpoint, gazes: Many[Gaze], slots: Many[str] = SLOTS
+) -> Behaviour:
     """Go on, step back, or turn; and look. Reads "task", writes "place"."""
     looks: list[Behaviour] = [
         ReadyToWalk("stand upright", toolbox),
         change_viewpoint(toolbox, way),
-        search_place("look around", toolbox, gazes),
+        search_place("look around", toolbox, gazes, slots),
     ]
     return Sequence(f"viewpoint {number}", memory=True, children=looks)
 
@@ -76,12 +79,30 @@ def where_it_may_be(toolbox: Toolbox, outlooks: int = _OUTLOOKS) -> list[Behavio
     ]
 
 
+def people_in_rooms(toolbox: Toolbox, slots: Many[str]) -> list[Behaviour]:
+    """Ways to see somebody from the middle of other rooms, and turned around there."""
+    gazes = toolbox.policy.level_gazes
+    ways: list[Behaviour] = []
+    for number in range(1, _ROOMS + 1):
+        looks: list[Behaviour] = [
+            search_place("look around", toolbox, gazes, slots),
+            *turned_around(toolbox, gazes, slots),
+        ]
+        room = [
+            ChooseRoom("choose room", toolbox, {"rooms_before": "rooms"}),
+            *going(toolbox, {"place": "room"}),
+            Alternatives("look in it", looks, looking_elsewhere_is_useless, worth_going),
+        ]
+        ways.append(Sequence(f"look in room {number}", memory=True, children=room))
+    return ways
+
+
 def where_it_was(toolbox: Toolbox) -> Behaviour:
     """Go to where it was seen before, if that is not here, and look there. Reads "task", writes "place"."""
     stood = {"place": "stood_on"}
     looks = [
         RecallSupport("recall where it was", toolbox, stood),
-        *_going(toolbox, stood),
+        *going(toolbox, stood),
         search_place("look around", toolbox, _at_tops(toolbox)),
     ]
     return Sequence("look where it was", memory=True, children=looks)
@@ -100,7 +121,7 @@ def worth_going(way: Behaviour, failure: Failure | None) -> bool:
 def _look_on_furniture(toolbox: Toolbox, number: int) -> Behaviour:
     looks = [
         ChooseFurniture("choose furniture", toolbox, {"visited_before": "visited"}),
-        *_going(toolbox, {"place": "furniture"}),
+        *going(toolbox, {"place": "furniture"}),
         search_place("look around", toolbox, _at_tops(toolbox)),
     ]
     return Sequence(f"look on furniture {number}", memory=True, children=looks)
@@ -124,7 +145,7 @@ def _look_in_room(toolbox: Toolbox, number: int) -> Behaviour:
     ]
     looks = [
         ChooseRoom("choose room", toolbox, {"rooms_before": "rooms"}),
-        *_going(toolbox, {"place": "room"}),
+        *going(toolbox, {"place": "room"}),
         Alternatives("look in it", ways, looking_elsewhere_is_useless, worth_going),
     ]
     return Sequence(f"look in room {number}", memory=True, children=looks)
@@ -133,14 +154,19 @@ def _look_in_room(toolbox: Toolbox, number: int) -> Behaviour:
 def _look_behind(toolbox: Toolbox, number: int) -> Behaviour:
     looks = [
         ChooseOutlook("choose outlook", toolbox, {"hiding_before": "hiding"}),
-        *_going(toolbox, {"place": "hides", "stand": "outlook"}),
+        *going(toolbox, {"place": "hides", "stand": "outlook"}),
         search_place("look around", toolbox, toolbox.policy.level_gazes),
     ]
     return Sequence(f"look behind {number}", memory=True, children=looks)
 
 
-def _going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
-    """Stand upright, and walk where some names of the walk's ports say."""
+def going(toolbox: Toolbox, there: Mapping[str, str]) -> tuple[Behaviour, Behaviour]:
+    """Stand upright, and walk where some names of the walk's ports say.
+
+    Args:
+        toolbox: What leaves may call.
+        there: The names that ports of the walk have: where its "place" and its "stand" come from.
+    """
     walk = WalkTo("walk", toolbox, if_hands_fit=True, wiring=there)
     return (
         ReadyToWalk("stand upright", toolbox),

@@ -18,19 +18,19 @@ def _find(task: FindTask, toolbox: Toolbox) -> Behaviour:
     from trees.skills.telling.tree import find, find_several
 
     several = task.count != 1 and not isinstance(task.person, str)
-    return find_several(toolbox) if several else find(toolbox)
+    return find_several(task, toolbox) if several else find(toolbox)
 
 
-def _count(_task: CountTask, toolbox: Toolbox) -> Behaviour:
+def _count(task: CountTask, toolbox: Toolbox) -> Behaviour:
     from trees.skills.telling.tree import count
 
-    return count(toolbox)
+    return count(task, toolbox)
 
 
-def _describe(_task: DescribeTask, toolbox: Toolbox) -> Behaviour:
+def _describe(task: DescribeTask, toolbox: Toolbox) -> Behaviour:
     from trees.skills.telling.tree import describe
 
-    return describe(toolbox)
+    return describe(task, toolbox)
 
 
 SKILLS = (

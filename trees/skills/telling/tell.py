@@ -9,11 +9,13 @@ from py_trees.ports import PortInformation
 
 from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Ambiguous, ground
+from trees.beliefs.grounding.person_words import looks_of
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import counted, listed, plural, whereabouts
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
 from trees.beliefs.scene.held_object import is_like
+from trees.beliefs.scene.person_looks import posture_in
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
 from trees.nodes.ports import ports
@@ -36,8 +38,8 @@ class TellCount(TellingLeaf):
         """Count; none is an answer, too."""
         task: CountTask = self.get_input("task")
         around, seen_from_here = self.around(), task.source is None and self._is_big(task.object)
-        if seen_from_here:
-            around = self.now_seen(around)
+        if seen_from_here or task.object.kind == PERSON:  # furniture stays where it was seen
+            around = self.now_seen(around) if seen_from_here else self.people_now_seen(around)
         furniture = self.pieces(task.object, around, task.source)
         names = self.fitting(task.object, around, task.source) if furniture is None else furniture
         if isinstance(names, Failure):
@@ -46,7 +48,7 @@ class TellCount(TellingLeaf):
             return far
         held = self._in_hand(task.object, around) if task.source is None and furniture is None else ()
         count = len(names) + len(held)
-        noun = " ".join(word for word in (task.object.color, task.object.kind or "thing") if word)
+        counted_words = self.in_words(task.object, count)
         said = f"there {'is' if count == 1 else 'are'}"
         if (told := self.called_here(task.source, around)) != task.source:
             said = f"on the {told} {said}"
@@ -57,7 +59,19 @@ class TellCount(TellingLeaf):
         elif self.much_is_hidden():
             said = f"not all of the {self.called_here(task.source, around)} is to be seen; there I see"
         in_hand = f", {len(held)} of them in my hand{'s' * (len(held) > 1)}" if held else ""
-        return self.say(f"{said} {plural(noun, count)}{in_hand}", {"count": count, **self.confidence(names)})
+        untold = self._untold(task.object, around, task.source)
+        return self.say(
+            f"{said} {counted_words}{in_hand}{untold}", {"count": count, **self.confidence(names)}
+        )
+
+    def _untold(self, wanted: ObjectDescription, around: Surroundings, source: Destination | None) -> str:
+        """Of how many people nothing is known of what was asked about."""
+        if not wanted.traits:
+            return ""
+        everybody = self.fitting(replace(wanted, traits=()), around, source)
+        known = {thing.name for thing in around.things if posture_in(thing.label.traits) is not None}
+        untold = 0 if isinstance(everybody, Failure) else len(set(everybody) - known)
+        return f"; of {plural('person', untold)} I cannot tell" if untold else ""
 
     @staticmethod
     def _in_hand(wanted: ObjectDescription, around: Surroundings) -> tuple[str, ...]:
@@ -139,8 +153,9 @@ class TellDescription(TellingLeaf):
         thing = next(thing for thing in around.things if thing.name == names[0])
         called = thing.name if thing.is_person and thing.kind != PERSON else f"the {thing.words}"
         evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
+        looks = looks_of(thing.label.traits) if thing.is_person else ""
         return self.say(
-            f"{called} is {whereabouts(thing)}",
+            f"{called} {f'{looks}, ' if looks else 'is '}{whereabouts(thing)}",
             {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m},
         )
 

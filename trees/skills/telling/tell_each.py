@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from py_trees.common import Status
 from py_trees.ports import PortInformation
 
-from trees.beliefs.grounding.report_words import plural
 from trees.beliefs.scene.believed_thing import PERSON, BelievedThing
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
@@ -44,8 +43,7 @@ class TellEach(TellingLeaf):
         found = [thing for name in fitting for thing in self.now_seen(around).things if thing.name == name]
         if not found:
             return Failure.postcondition(f"no {wanted} seen{self._where(task)}")
-        noun = " ".join(word for word in (wanted.color, wanted.kind or "thing") if word)
-        told = f"{plural(noun, len(found))}{self._where(task)}: {self._each(found)}"
+        told = f"{self.in_words(wanted, len(found))}{self._where(task)}: {self._each(found)}"
         names = [thing.name for thing in found]
         evidence: dict[str, Number] = {"count": len(names), "names": ", ".join(names)}
         evidence |= self.confidence(names)

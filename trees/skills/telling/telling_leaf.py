@@ -17,8 +17,9 @@ from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.furniture_called import called_so, is_said_of
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture
+from trees.beliefs.grounding.person_words import people_who
 from trees.beliefs.grounding.questions import which_is_meant
-from trees.beliefs.grounding.report_words import kinds_in
+from trees.beliefs.grounding.report_words import kinds_in, plural
 from trees.beliefs.openings.drawer_inside import inside_of_drawer
 from trees.beliefs.openings.fridge_inside import door_opening_rad
 from trees.beliefs.openings.handles import INSIDE_KINDS, MEANT_BY
@@ -58,6 +59,19 @@ class TellingLeaf(Leaf):
         """What the looks of this task showed; what is remembered from elsewhere is not here."""
         sightings = self.get_input("sightings")
         return replace(around, things=tuple(thing for thing in around.things if thing.name in sightings))
+
+    def people_now_seen(self, around: Surroundings) -> Surroundings:
+        """What is believed, without people whom no look of this task showed: they may have gone."""
+        sightings = self.get_input("sightings")
+        gone = [thing.name for thing in around.things if thing.is_person and thing.name not in sightings]
+        return around.without(tuple(gone))
+
+    @staticmethod
+    def in_words(wanted: ObjectDescription, count: int) -> str:
+        """So many of what is wanted: "two red cups", "two people who are sitting"."""
+        if wanted.kind == PERSON and wanted.traits:
+            return people_who(wanted.traits, count)
+        return plural(" ".join(word for word in (wanted.color, wanted.kind or "thing") if word), count)
 
     def say(self, words: str, evidence: dict[str, Number]) -> Status:
         """Give words out, with what they rest on."""

@@ -29,6 +29,7 @@ from trees.skills.telling.who_speaks import nobody_spoke, who_speaks
 from trees.skills.walking.change_viewpoint import ChangeViewpoint
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.skills.walking.walk_with_room import change_viewpoint
+from trees.tasks import CountTask, DescribeTask, Destination, FindTask, ObjectDescription
 from trees.toolbox import Toolbox
 
 _TURNS = 2
@@ -84,28 +85,31 @@ def elsewhere_if_it_walks(way: Behaviour, _failure: Failure | None) -> bool:
     return way.name != _ELSEWHERE or all(turn.toolbox.can_walk for turn in turns)
 
 
-def find_several(toolbox: Toolbox) -> Behaviour:
+def find_several(task: FindTask, toolbox: Toolbox) -> Behaviour:
     """Look everywhere, then say where each is. Reads "task", writes "evidence"."""
-    return tidily("find", [*_looks(toolbox), TellEach("tell", toolbox)], toolbox)
+    wanted = task.person if task.person is not None else task.object
+    return tidily("find", [*_looks(wanted, toolbox), TellEach("tell", toolbox)], toolbox)
 
 
-def count(toolbox: Toolbox) -> Behaviour:
+def count(task: CountTask, toolbox: Toolbox) -> Behaviour:
     """Look everywhere, then say how many. Reads "task", writes "evidence"."""
-    return tidily("count", [*_looks(toolbox), TellCount("tell", toolbox)], toolbox)
+    return tidily("count", [*_looks(task.object, toolbox), TellCount("tell", toolbox)], toolbox)
 
 
-def describe(toolbox: Toolbox) -> Behaviour:
+def describe(task: DescribeTask, toolbox: Toolbox) -> Behaviour:
     """Look everywhere, then say what is there. Reads "task", writes "evidence"."""
-    return tidily("describe", [*_looks(toolbox), TellDescription("tell", toolbox)], toolbox)
+    return tidily("describe", [*_looks(task.object, toolbox), TellDescription("tell", toolbox)], toolbox)
 
 
-def _looks(toolbox: Toolbox) -> list[Behaviour]:
+def _looks(wanted: Destination | None, toolbox: Toolbox) -> list[Behaviour]:
     """A survey from each gaze, farther away and all around where that is asked about, and home again."""
-    policy = toolbox.policy
-    farther: list[Behaviour] = [AsksFarther("asked for", toolbox), *_surveys(toolbox, policy.level_gazes)]
+    policy, traits = toolbox.policy, isinstance(wanted, ObjectDescription) and bool(wanted.traits)
+    level = _surveys(toolbox, policy.level_gazes, traits=traits)
+    farther: list[Behaviour] = [AsksFarther("asked for", toolbox), *level]
+    around = _all_around(toolbox, traits=traits)
     return [
         BestEffort(Sequence("look farther", memory=True, children=farther)),
-        BestEffort(Sequence("look all around", memory=True, children=_all_around(toolbox))),
+        BestEffort(Sequence("look all around", memory=True, children=around)),
         *_surveys(toolbox, policy.of(TellingSettings).inventory_gazes),
         *(BestEffort(_past_what_hides(k, toolbox)) for k in range(1, _LOOKS_PAST + 1)),
         GoHome("go home", toolbox),
@@ -118,7 +122,7 @@ def _past_what_hides(k: int, toolbox: Toolbox) -> Behaviour:
     return Sequence(f"look past {k}", memory=True, children=[hidden, LookPast("peer", toolbox), survey])
 
 
-def _all_around(toolbox: Toolbox) -> list[Behaviour]:
+def _all_around(toolbox: Toolbox, *, traits: bool) -> list[Behaviour]:
     """Turned around once, where a room is asked about."""
     policy = toolbox.policy
     children: list[Behaviour] = [AsksFarther("room asked for", toolbox, room=True)]
@@ -126,18 +130,18 @@ def _all_around(toolbox: Toolbox) -> list[Behaviour]:
         children += [
             ReadyToWalk("stand upright", toolbox),
             change_viewpoint(toolbox, "around"),
-            *_surveys(toolbox, (*policy.level_gazes, *policy.search_gazes[:1])),
+            *_surveys(toolbox, (*policy.level_gazes, *policy.search_gazes[:1]), traits=traits),
         ]
     return children
 
 
-def _surveys(toolbox: Toolbox, gazes: Many[Gaze]) -> list[Behaviour]:
+def _surveys(toolbox: Toolbox, gazes: Many[Gaze], *, traits: bool = False) -> list[Behaviour]:
     """A look and a survey for each gaze: a posture that cannot be reached is left out."""
     looks: list[Behaviour] = []
     for gaze in gazes:
         pair: list[Behaviour] = [
             LookAt("look", toolbox, gaze),
-            Survey("survey", toolbox, {"sightings_now": "sightings"}),
+            Survey("survey", toolbox, {"sightings_now": "sightings"}, traits=traits),
         ]
         looks.append(BestEffort(Sequence(f"look {gaze.name}", memory=True, children=pair)))
     return looks

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
@@ -13,6 +14,7 @@ from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of, top_m
 from kinematics.walking.route.path_planning import clearance_m, footprints
 from kinematics.walking.route.room import WalkingRoom
+from robots.scenes.person_solid import PERSON_REACH_M
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 
@@ -54,6 +56,7 @@ def standing_place(
     body: PlanarPose,
     support_gap_m: float,
     room: WalkingRoom | None = None,
+    points: Array | None = None,
 ) -> PlanarPose:
     """The pose of the body, in the odometry frame, facing what the task is about.
 
@@ -63,10 +66,11 @@ def standing_place(
         body: Where the body is now; the nearest side is chosen.
         support_gap_m: As for ``support_of``.
         room: What a robot that walks takes: before a person it needs room to turn.
+        points: Where in a region something stands that is not in the scene, shape (n, 2).
     """
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     if place.category == "region" and isinstance(place.shape, Box):
-        return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene)
+        return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene, points)
     if place.category == "furniture" and isinstance(place.shape, Box):
         sides = _sides(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
         if room is None:
@@ -114,18 +118,32 @@ def _around(
     """On a circle around something, facing it: on this side of it, or where there is room to turn."""
     x, y = float(place.odom_T_place[0, 3]), float(place.odom_T_place[1, 3])
     direct = math.atan2(y - body.y_m, x - body.x_m)
+
+    def before(heading: float) -> PlanarPose:
+        gap_m = away_m + _beyond_m(place, heading)
+        return PlanarPose(x - gap_m * math.cos(heading), y - gap_m * math.sin(heading), heading)
+
     if room is None:
-        return PlanarPose(x - away_m * math.cos(direct), y - away_m * math.sin(direct), direct)
+        return before(direct)
     if place.name in scene.objects:
         scene = scene.without_object(place.name)
     best = (math.inf, PlanarPose())
     for aside in sorted(_ASIDE_RAD, key=abs):
-        heading = direct + aside
-        stand = PlanarPose(x - away_m * math.cos(heading), y - away_m * math.sin(heading), heading)
+        stand = before(direct + aside)
         cost = abs(aside) + _TIGHT_COST_RAD_M * max(0.0, room.tightest(scene, stand, at_ease=True).lack_m)
         if cost < best[0]:
             best = (cost, stand)
     return best[1]
+
+
+def _beyond_m(place: Place, heading: float) -> float:
+    """How much farther somebody who lies reaches, towards who comes along a heading, than who stands."""
+    if place.category != "person" or not isinstance(place.shape, Box):
+        return 0.0
+    along = heading - poses.yaw_of(place.odom_T_place[:3, :3])
+    half_x, half_y = 0.5 * place.shape.size_m[0], 0.5 * place.shape.size_m[1]
+    c, s = max(abs(math.cos(along)), 1e-9), max(abs(math.sin(along)), 1e-9)
+    return max(0.0, min(half_x / c, half_y / s) - PERSON_REACH_M)
 
 
 def edge_m(height_m: float) -> float:
@@ -149,7 +167,7 @@ def _height_m(place: Place, scene: PlanningScene) -> float:
     return max(tops, default=float(place.odom_T_place[2, 3]))
 
 
-def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
+def _inside(box: Box, middle: PlanarPose, scene: PlanningScene, points: Array | None) -> PlanarPose:
     """The place nearest to the middle of a region with room around it, facing as the region does."""
     known = footprints(scene)
     reach_x, reach_y = (max(0.0, 0.5 * size - _FROM_BORDER_M) for size in box.size_m[:2])
@@ -157,11 +175,18 @@ def _inside(box: Box, middle: PlanarPose, scene: PlanningScene) -> PlanarPose:
     for x in np.arange(-reach_x, reach_x + 1e-9, _GRID_M):
         for y in np.arange(-reach_y, reach_y + 1e-9, _GRID_M):
             place = middle @ PlanarPose(float(x), float(y))
-            tight_m = max(0.0, _ROOM_M - clearance_m(known, place))
+            free_m = min(clearance_m(known, place), _from_points_m(points, place))
+            tight_m = max(0.0, _ROOM_M - free_m)
             cost = math.hypot(x, y) + 10.0 * tight_m
             if cost < best[0] - 1e-9:
                 best = (cost, place)
     return best[1]
+
+
+def _from_points_m(points: Array | None, place: PlanarPose) -> float:
+    if points is None or not len(points):
+        return math.inf
+    return float(np.hypot(points[:, 0] - place.x_m, points[:, 1] - place.y_m).min())
 
 
 def _sides(

@@ -11,7 +11,7 @@ from kinematics.arrays import Array
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import PathSteering, Steering, StretchSteering, foreseen
-from kinematics.walking.route.path_planning import Footprint, blocked
+from kinematics.walking.route.path_planning import Footprint, blocked, footprints
 from kinematics.walking.route.room import BESIDE_HANDS_M, WalkingRoom
 from kinematics.walking.route.ways import BESIDE_TUCKED_M, NoWay, WayFinder
 from trees.beliefs.grounding.destination import Place
@@ -36,6 +36,8 @@ _BACK_SHARES = (1.0, 0.67, 0.33)
 """or not so far, where there is something behind as well."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
+_ELSEWHERE_M = 0.1
+"""A place to stand in a room that is nearer to the last one is the same."""
 _SCAN_EVERY_S = 0.4
 _SCAN_WITHIN_S, _ASKED_TIMES = 1.0, 25
 _SILENT = "the range sensor says nothing"
@@ -106,8 +108,11 @@ class WalkTo(WalkingLeaf):
         stand: Stand | None = self.optional("stand")
         if stand is not None and stand.name == self._place.name:
             return stand.body(self._place)
-        gap_m, room = toolbox.policy.support_gap_m, room_if_it_walks(toolbox)
-        return standing_place(self._place, toolbox.world.scene, body, gap_m, room)
+        gap_m, room, scene = toolbox.policy.support_gap_m, room_if_it_walks(toolbox), toolbox.world.scene
+        points = None
+        if self._place.category == "region":  # who stands in a room, behind a wall, is seen on the way
+            points = self._seen.beside(footprints(scene))
+        return standing_place(self._place, scene, body, gap_m, room, points)
 
     def step(self) -> Status | Failure:
         """Choose the goal, walk, and measure."""
@@ -221,7 +226,8 @@ class WalkTo(WalkingLeaf):
         new = self._look(obstacles)
         if self._seen.silent:
             return Failure.execution(_SILENT)
-        if not blocked(self._path, new, self._clearance_m + room.widest_m - _IN_THE_WAY_M):
+        moved = len(new) > 0 and self._goes_elsewhere()
+        if not moved and not blocked(self._path, new, self._clearance_m + room.widest_m - _IN_THE_WAY_M):
             return None
         steering = self._way(settings, room, body_pose(toolbox), obstacles)
         if isinstance(steering, Failure):
@@ -229,6 +235,17 @@ class WalkTo(WalkingLeaf):
         self.measured(new_points=len(new))
         toolbox.walking.steer(self._handle, steering)
         return None
+
+    def _goes_elsewhere(self) -> bool:
+        """Whether somebody stands where it was going to stand in a room, and it goes beside them instead."""
+        if self._place.category != "region":
+            return False
+        goal = self.place(body_pose(self.toolbox))
+        if goal.distance_m(self._goal) < _ELSEWHERE_M:
+            return False
+        self._goal = goal
+        self._set_output("goal", goal)
+        return True
 
     def _arrived(self) -> Status | Failure:
         left = feet_pose(self.toolbox).to(self._goal)

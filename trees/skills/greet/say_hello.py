@@ -1,0 +1,48 @@
+"""Say hello to somebody, and who one is."""
+
+from __future__ import annotations
+
+import math
+
+from trees.api import DONE, Contract, Failure, Leaf, Number, Place, Said, Status, optional, ports
+from trees.readings.odometry import away_m, bearing_rad
+from trees.skills.meeting.called_person import called_person, name_of
+from trees.skills.meeting.introduction import introduction
+
+_FACED_RAD = math.radians(20.0)
+"""People take somebody to face them who is turned aside by no more."""
+
+
+class SayHello(Leaf):
+    """Say hello to the person who was met, by name where it is known."""
+
+    INPUT_PORTS = ports(task=object, place=Place, waved=optional(dict))
+    OUTPUT_PORTS = ports(evidence=dict)
+    CONTRACT = Contract(
+        precondition="the person was seen, and is faced",
+        postcondition="the words were given out; to whom, from how far and whether a hand was waved is told",
+        deadline_s=1.0,
+    )
+
+    def step(self) -> Status | Failure:
+        """Give the words out, to somebody who is faced: a hand that waves does so from a trunk that faces."""
+        place: Place = self.get_input("place")
+        name, swings = name_of(place), (self.optional("waved") or {}).get("swings", 0)
+        beside_rad = bearing_rad(self.toolbox, place)
+        if not swings and abs(beside_rad) > _FACED_RAD:
+            who = called_person(place)
+            return Failure.postcondition(f"{who} is not ahead, and no hand waved", beside_rad=beside_rad)
+        words = f"Hello, {name}!" if name else "Hello!"
+        if self.get_input("task").introducing:
+            words = f"{words} {introduction(self.toolbox)}"
+        self.toolbox.events(Said(self.toolbox.clock.now_s(), words, name))
+        evidence: dict[str, Number] = {
+            "greeted": place.name,
+            "swings": swings,
+            "away_m": away_m(self.toolbox, place),
+            "bearing_rad": beside_rad,
+        }
+        self.measured(**evidence)
+        self._set_output("evidence", {"said": words, **evidence})
+        self.feedback_message = words
+        return DONE
