@@ -22,6 +22,9 @@ from trees.nodes.ports import ports
 from trees.skills.telling.telling_leaf import TellingLeaf
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
 
+UNSEEN_SIZES = frozenset({"heaviest", "lightest"})
+"""What may be asked about, and cannot be seen."""
+
 
 class TellCount(TellingLeaf):
     """Say how many things fit a description."""
@@ -103,6 +106,8 @@ class TellDescription(TellingLeaf):
         wanted = task.object if isinstance(task.object, ObjectDescription) else None
         if wanted is None and task.source is None:
             around = self.now_seen(around)
+        if wanted is not None and wanted.size in UNSEEN_SIZES:
+            return self._not_weighed(wanted, around, task.source)
         if wanted is not None and not _is_surface(wanted, around):
             return self._one(wanted, around, task.source)
         source = task.source if task.source is not None else (wanted.kind if wanted is not None else None)
@@ -136,6 +141,18 @@ class TellDescription(TellingLeaf):
             for name, thing in people.items()
             if name in self.inside(region, people)
         ]
+
+    def _not_weighed(
+        self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
+    ) -> Status | Failure:
+        """Nobody sees what weighs most: say so, and what there is to choose from."""
+        names = self.fitting(replace(wanted, size=None), around, source)
+        if isinstance(names, Failure):
+            return names
+        seen = listed(counted([thing for thing in around.things if thing.name in names])) or "nothing of that"
+        words = f"I cannot weigh things by looking at them, so which is the {wanted.size} I do not know"
+        where = "there" if source is not None else "here"
+        return self.say(f"{words}; {where} I see {seen}", {"things": len(names), **self.confidence(names)})
 
     def _one(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None

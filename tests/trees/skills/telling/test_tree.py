@@ -72,6 +72,18 @@ def test_a_table_is_described(stage_with):
     assert said(stage) == ["on the table I see one blue cup and one red cup"]
 
 
+def test_which_is_the_heaviest_is_told_to_be_unknown_with_what_there_is(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
+
+    tree = run(
+        stage, DescribeTask("what is the heaviest cup", ObjectDescription("cup", size="heaviest"), "table")
+    )
+
+    assert tree.status == "success"
+    (told,) = said(stage)
+    assert "which is the heaviest I do not know; there I see one blue cup and one red cup" in told
+
+
 @pytest.mark.requirement("M2")
 def test_what_is_in_something_hollow_is_told_and_not_that_it_is_on_top(stage_with):
     place_m = bowl().world_T_object[:2, 3]
