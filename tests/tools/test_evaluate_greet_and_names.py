@@ -7,7 +7,7 @@ import pytest
 
 from executive.session.task_result import TaskResult
 from kinematics.geometry import poses
-from tools.evaluate.skills.crowd import DOORWAY_M, FROM_DOORWAY_M, ends_at, room_of
+from tools.evaluate.people.crowd import DOORWAY_M, FROM_DOORWAY_M, ends_at, room_of
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.naming import NamingJudge
 from trees.failures import Failure

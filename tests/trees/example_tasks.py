@@ -59,6 +59,7 @@ FURTHER = {
     PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
     AnswerTask: (AnswerTask("tell Ana the time", "time", "Ana"),),
+    MoveTask: (MoveTask("follow the velocities", is_fed=True),),
 }
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tools.evaluate.people import following, guiding
+from tools.evaluate.people import following, greeting, guiding
 from tools.evaluate.skills import (
     carrying,
     errands,
     gestures,
     goals,
-    greeting,
     handing_over,
     naming,
     placing,

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.grounding.destination import Place
 from trees.beliefs.grounding.report_words import listed, plural
+from trees.beliefs.scene.believed_thing import PERSON
 from trees.beliefs.scene.person_looks import posture_in
+from trees.beliefs.scene.scene_update import kind_of
 
 
 def gestures_in(traits: Collection[str]) -> list[str]:
@@ -55,3 +58,14 @@ def people_who(traits: Collection[str], count: int) -> str:
 def _is_pair(garment: str) -> bool:
     """Whether it is a plural word: "blue trousers", "black shoes"."""
     return garment.endswith("s") and not garment.endswith("ss")
+
+
+def name_of(place: Place) -> str:
+    """The person's name; empty where nobody recognised the person."""
+    name = kind_of(place.name)
+    return "" if name == PERSON else name
+
+
+def called_person(place: Place) -> str:
+    """The person as the subject of a sentence: "Ana", "the person"."""
+    return name_of(place) or f"the {PERSON}"

@@ -6,11 +6,10 @@ from collections.abc import Callable, Collection, Mapping
 from types import MappingProxyType
 
 from trees.api import DONE, Contract, Failure, Leaf, Place, Status, ports
-from trees.beliefs.grounding.person_words import clothes_in, doing, gestures_in, worn
+from trees.beliefs.grounding.person_words import called_person, clothes_in, doing, gestures_in, name_of, worn
 from trees.beliefs.grounding.report_words import listed
 from trees.beliefs.scene.person_looks import posture_in
 from trees.skills.about_people.about import About
-from trees.skills.meeting.called_person import called_person, name_of
 
 Traits = Collection[str]
 

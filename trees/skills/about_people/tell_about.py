@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from trees.api import DONE, Contract, Leaf, Number, Place, Said, Status, optional, ports
+from trees.beliefs.grounding.person_words import name_of
 from trees.skills.about_people.about import About
-from trees.skills.meeting.called_person import name_of
 
 
 class TellAbout(Leaf):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from trees.api import DONE, Contract, Failure, Leaf, Place, Said, Status, optional, ports
+from trees.beliefs.grounding.person_words import name_of
 from trees.beliefs.grounding.report_words import listed
 from trees.skills.answer.answers import QUESTIONS, answer_to
-from trees.skills.meeting.called_person import name_of
 
 
 class Answer(Leaf):

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from trees.api import DONE, Contract, Failure, Leaf, Number, Place, Said, Status, optional, ports
+from trees.beliefs.grounding.person_words import called_person, name_of
 from trees.readings.odometry import away_m, bearing_rad
-from trees.skills.meeting.called_person import called_person, name_of
-from trees.skills.meeting.introduction import introduction
 
 _FACED_RAD = math.radians(20.0)
 """People take somebody to face them who is turned aside by no more."""
+from trees.toolbox import Toolbox
 
 
 class SayHello(Leaf):
@@ -34,7 +34,7 @@ class SayHello(Leaf):
             return Failure.postcondition(f"{who} is not ahead, and no hand waved", beside_rad=beside_rad)
         words = f"Hello, {name}!" if name else "Hello!"
         if self.get_input("task").introducing:
-            words = f"{words} {introduction(self.toolbox)}"
+            words = f"{words} {_introduction(self.toolbox)}"
         self.toolbox.events(Said(self.toolbox.clock.now_s(), words, name))
         evidence: dict[str, Number] = {
             "greeted": place.name,
@@ -46,3 +46,9 @@ class SayHello(Leaf):
         self._set_output("evidence", {"said": words, **evidence})
         self.feedback_message = words
         return DONE
+
+
+def _introduction(toolbox: Toolbox) -> str:
+    """Name, the configured one or the model's, and team, as far as they are known."""
+    name, team = toolbox.identity.name or toolbox.model.description.name.upper(), toolbox.identity.team
+    return f"I am {name}{f', of the team {team}' if team else ''}."

@@ -32,6 +32,7 @@ class Drive(Move):
         Move.CONTRACT,
         precondition="the robot stands, its pelvis level, and velocities are sent",
         postcondition="the robot stands still, since nothing was sent any more",
+        deadline_s=600.0,
     )
 
     def begin(self) -> None:
@@ -70,8 +71,8 @@ class Drive(Move):
 
     @property
     def deadline_s(self) -> float:
-        """None of its own: it lasts as long as velocities come."""
-        return math.inf
+        """However long velocities come, it begins anew after a while."""
+        return self.CONTRACT.deadline_s
 
     @property
     def _task(self) -> MoveTask:

@@ -12,7 +12,7 @@ from executive.session.task_result import TaskResult
 from kinematics.arrays import Array
 from kinematics.model.robot_description import HANDS, Hand
 from robots.scenes.scene_description import Person, SceneDescription
-from tools.evaluate.skills.crowd import ends_at, peopled_flat, room_of
+from tools.evaluate.people.crowd import ends_at, peopled_flat, room_of
 from tools.evaluate.skills.gestures import FACING_RAD, SWINGS, AimedAt, turns
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from trees.beliefs.scene.believed_thing import PERSON
