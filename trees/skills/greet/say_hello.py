@@ -7,10 +7,10 @@ import math
 from trees.api import DONE, Contract, Failure, Leaf, Number, Place, Said, Status, optional, ports
 from trees.beliefs.grounding.person_words import called_person, name_of
 from trees.readings.odometry import away_m, bearing_rad
+from trees.toolbox import Toolbox
 
 _FACED_RAD = math.radians(20.0)
 """People take somebody to face them who is turned aside by no more."""
-from trees.toolbox import Toolbox
 
 
 class SayHello(Leaf):
