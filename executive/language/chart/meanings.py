@@ -31,7 +31,6 @@ from executive.language.phrases import (
     pairs,
     places,
     quantities,
-    sharing,
 )
 from executive.language.phrases.values import Meaning
 
@@ -52,7 +51,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **placing.MEANINGS,
         **quantities.MEANINGS,
         **sentences.MEANINGS,
-        **sharing.MEANINGS,
         **skilled.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,

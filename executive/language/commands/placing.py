@@ -10,7 +10,6 @@ from typing import Any
 from executive.language.phrases.arranging import Arranged, arranged, clause, guarded, trouble, unfit
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing, with_it
 from executive.language.phrases.lists import another_of
-from executive.language.phrases.opposite_sides import with_the_middle
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
     HARMS,
@@ -109,13 +108,13 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
 
 
 def _put(parts: Parts) -> Clause:
-    each = with_the_middle(arranged(parts, goes=True))
+    each = arranged(parts, goes=True)
     down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
     stays = any(word.said in _LEAVES for word in words(parts, "PUT"))
     bundles: list[Bundle] = []
     for one in each:
         nominal = thing(one, "putting down")
-        if one.is_for_another and not one.for_company:
+        if one.is_for_another:
             raise unfit()
         if one.goal is not None:
             bundles.append((put_draft(nominal, one.goal, one.source, one.hand),))

@@ -50,7 +50,6 @@ class Feature:
 
     slot: str
     value: str
-    said: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,26 +62,20 @@ class Relative:
 
 @dataclass(frozen=True, slots=True)
 class Nominal:
-    """A noun phrase.
+    """A noun phrase; colour, size and the like are as in ``trees.tasks.ObjectDescription``.
 
     Attributes:
         sort: What sort of thing the noun names; "any" for things of no or an unknown kind.
         kind: Canonical noun, or a person's name.
-        color, size, material, ordinal, name: As in ``trees.tasks.ObjectDescription``.
-        relation: Where it is.
-        count: How many.
-        plural: Whether the noun was in the plural.
         counted: Whether it was said how many.
         reference: What it points back to, instead of a noun.
         anaphoric: Whether the noun is "one": the kind that was named before.
-        determined: Whether an article or the like was there.
+        determined, indefinite: Whether an article or the like was there, and whether it was "a".
         paired: Whether it is one thing with a plural name: scissors.
         mass: Whether all of it is meant by "all the milk", without a plural.
         said: The noun as it was said.
-        indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
         owner: To whom it belongs, who may be meant by "her" after it.
-        laced: Whether it is said what it is served with: "coffee with milk".
     """
 
     sort: Sort
@@ -92,6 +85,7 @@ class Nominal:
     material: str | None = None
     ordinal: str | None = None
     name: str | None = None
+    traits: tuple[str, ...] = ()
     relation: Relative | None = None
     count: int | str = 1
     plural: bool = False
@@ -105,10 +99,14 @@ class Nominal:
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
     owner: Nominal | None = field(default=None, compare=False)
-    laced: bool = field(default=False, compare=False)
 
-    def described(self, feature: Feature) -> Nominal | Trouble:
-        """With one more feature; a contradiction is trouble."""
+    def described(self, feature: Feature) -> Nominal | Trouble | None:
+        """With one more feature; a contradiction is trouble, and None is what nobody says of such a thing."""
+        if feature.slot == "traits":
+            traits = tuple(dict.fromkeys((*self.traits, feature.value)))
+            return replace(self, traits=traits) if self.sort == "person" and not self.reference else None
+        if feature.value == "small" and self.mass and not self.paired:
+            return None  # "a little milk" is said of how much
         present = getattr(self, feature.slot)
         if present is not None and present != feature.value:
             return Trouble(f"{present!r} and {feature.value!r} contradict each other", feature.value)
@@ -148,7 +146,7 @@ class Nominal:
     @property
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
-        return all(getattr(self, name) is None for name in _DESCRIBES)
+        return not self.traits and all(getattr(self, name) is None for name in _DESCRIBES)
 
     @property
     def is_bare_one(self) -> bool:
@@ -170,24 +168,21 @@ def may_be_found(relation: Relative) -> bool:
 _DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
 
 
-def wears(person: Nominal, clothing: Nominal) -> Trouble:
-    """The refusal of "the man in the red coat": it is no place where he is."""
-    word = clothing.said or clothing.kind
-    return Trouble(f"the {person.kind} in the {word}: people cannot be told apart by what they wear", word)
+def wears(person: Nominal, thing: Nominal) -> Trouble:
+    """The refusal of "the man in the hat": it is no place where he is."""
+    word = thing.said or thing.kind
+    told = "where somebody is, is a room or at furniture, and what somebody wears is a garment and its colour"
+    return Trouble(f"the {person.kind} in the {word}: {told}", word)
 
 
 @dataclass(frozen=True, slots=True)
 class Where:
-    """A place that is said of a thing.
+    """A place that is said of a thing: by a preposition, or as a relation to something.
 
     Attributes:
         role: Where it "is", where it comes "from", where it goes "to", or "either": is or goes.
-        preposition: How; None for a relation.
-        relation: Kind of the relation, such as "left_of".
-        of: The place, or what the relation is to.
         atop: Whether it was said to be on top of it.
-        left_by: Who left the thing there, who may be meant by "her" after it.
-        posture: The word that says how it is there: "sitting".
+        posture: How somebody is there: "sitting".
     """
 
     role: Role
@@ -195,7 +190,6 @@ class Where:
     preposition: Preposition | None = None
     relation: RelationKind | None = None
     atop: bool = False
-    left_by: Nominal | None = None
     posture: str = ""
 
 
@@ -215,14 +209,10 @@ class Benefit:
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A thing with what is said of it; ``details`` are Where, Hand and Benefit.
-
-    ``too`` is whether it goes where the one before it goes: "and the can too".
-    """
+    """A thing with what is said of it; ``details`` are Where, Hand and Benefit."""
 
     of: Nominal
     details: tuple[Any, ...] = ()
-    too: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,10 +224,10 @@ class Items:
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """A thing for a person: "Ana the cup"."""
+    """Things for a person: "Ana the cup"."""
 
     person: Nominal
-    item: Item
+    items: Items
 
 
 @dataclass(frozen=True, slots=True)
@@ -292,22 +282,15 @@ class Clause:
     """One command: what to do, the form of its verb, and its words.
 
     Attributes:
-        bundles: What to do.
-        form: Of the verb.
-        text: The words.
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
         about: Who and which places are named beside what is done: "Ana is in the kitchen", "for Ana".
-        said_before: What another clause names that is said before this one and done after it: "before you
-            close the drawer, put the ball in it".
-        terse: Whether it stands only where a clause begins, because its first words could belong to what is
-            said before it: "forward 2 m", "the cup, take it".
+        said_before: What another clause names that is said before this one and done after it.
+        terse: Whether its first words could belong to what is said before it: "forward 2 m".
         number: Which one of a numbered list it is.
         spelled: Whether that is a mere number in words: "one, go home. Two, wave".
-        question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
-            stands before it: "bring me the cup what is on the table".
-        topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
-            precedes: "pick up the cup and the bottle, put it on the shelf".
+        question: Whether it begins as a question does, and may be meant for "which is ...".
+        topic: Whether it begins with its thing, which after "and" may be one more of what precedes.
         you: What it is if "you" stands before it: see ``told``.
         begun: Whether it is said to be the "first", the "last" or the "next" one: "begin by opening it".
         placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
