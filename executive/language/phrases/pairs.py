@@ -12,7 +12,6 @@ from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
     Bundle,
     Clause,
-    Item,
     Items,
     Meaning,
     Nominal,

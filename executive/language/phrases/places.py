@@ -57,9 +57,8 @@ def _where(parts: Parts) -> Where | Trouble | None:
     posture = next((one.meaning for one in clauses if one.meaning in _POSTURES), "")
     if links:
         kind = _relation_of(links[0], of)
-        roles = [_ROLES[word.word_class] for word in words(parts, *_ROLES)]
-        role = next(iter(roles), "either")
-        return None if kind is None else Where(role, of, None, kind, posture=posture)
+        said: list[Role] = [_ROLES[word.word_class] for word in words(parts, *_ROLES)]
+        return None if kind is None else Where([*said, "either"][0], of, None, kind, posture=posture)
     (word,) = words(parts, *_PLACES)
     role, preposition = _PLACES[word.word_class]
     return Where("is" if clauses else role, of, preposition, atop=word.meaning == "top", posture=posture)
