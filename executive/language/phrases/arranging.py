@@ -21,6 +21,7 @@ from executive.language.phrases.values import (
     Where,
 )
 from executive.language.text.word import Word
+from executive.vocabulary.inflection import plural
 from trees.tasks import RelationKind
 
 _PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}
@@ -163,7 +164,7 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
             raise trouble(f"which is from the {where.of.kind}, {told}?", asks=True)
         else:
             before.append(where)
-    return replace(_at(result, before, has_source=has_source), goal=goal)
+    return _at(replace(result, goal=goal), before, has_source=has_source)
 
 
 def _only(values: list[Any]) -> Any:
@@ -263,6 +264,9 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
             result = _told_apart(result, Relative(_kind(where), where.of))
     if result.object.reference and result.object.relation is not None:
         raise unfit()
+    for place in (result.source, result.goal.of if result.goal else None):
+        if place is not None and place.is_place and place.plural and not place.counted:
+            raise trouble(f"which one of the {plural(str(place.kind))}?", asks=True)
     return result
 
 

@@ -100,7 +100,7 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
         raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))
     every = nominal.plural and nominal.determined and not (nominal.counted or nominal.is_vague)
     count = 1 if existing or nominal.reference else "all" if every else nominal.count
-    if existing and nominal.is_person:
+    if nominal.is_person and (existing or (count == 1 and nominal.traits)):
         nominal = replace(nominal, plural=False)  # "are there any people": one is enough
     slot = "person" if nominal.is_person else "object"
     thing = {slot: replace(nominal, count=count)}

@@ -67,12 +67,13 @@ def _items(parts: Parts) -> Items | Trouble | None:
         return None  # "take the cup, you left it there"; "a cup to Ana and one to Ben"
     if words(parts, "BOTH") and not (len(each) == 2 and not links[0].commas and all(map(_is_the_one, each))):
         return None
+    of_a_kind = all(one.of.anaphoric or one.of.kind == each[0].of.kind for one in each)
     for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
-        again = None if _differ(first.of, second.of) else said_again(first.of, second.of, (link,))
+        again = None if of_a_kind and _differ(first.of, second.of) else said_again(first.of, second.of, (link,))
         unclear = again or _shared_adjective(first.of, second.of)
         if unclear is not None:
             return unclear
-    if links and all(link.commas for link in links) and not any(one.details for one in each[:-1]):
+    if links and all(link.commas for link in links) and not all(one.details for one in each):
         return _one_or_two(each[0].of, each[1].of)
     return Items(each)
 

@@ -66,10 +66,10 @@ def _measure(of: Quantity) -> Meaning:
     return meaning
 
 
-def _said_again(parts: Parts) -> Measure:
+def _said_again(parts: Parts) -> Measure | None:
     """A little bit, like half a meter: as much as is said then."""
     measure: Measure = parts[-1]
-    return measure
+    return None if measure.of in ("linear_speed", "angular_speed") else measure
 
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
