@@ -110,7 +110,7 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         goes: Whether a bare place says where things go, instead of where they are.
         has_source: Whether the task has a slot for where things are; else it tells them apart.
     """
-    items = [item for part in parts if isinstance(part, (Items, Item)) for item in each_of(part)]
+    items = [item for part in parts if isinstance(part, (Items, Item)) for item in part.each]
     loose = tuple(part for part in parts if isinstance(part, (Where, Hand, Benefit)) or part == "back")
     if not items:
         raise unfit()
@@ -123,11 +123,6 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         elif one.goal is None and following.goal is not None:
             each[index] = replace(one, goal=following.goal)
     return each
-
-
-def each_of(part: Items | Item) -> tuple[Item, ...]:
-    """Every thing of a list."""
-    return part.each if isinstance(part, Items) else (part,)
 
 
 def found_there(one: Arranged) -> Arranged:
@@ -189,22 +184,19 @@ def _goal(thing: Nominal, wheres: list[Where], open_ones: list[Where]) -> Where:
         return first
     second = open_ones[1]
     placed = bool(thing.reference) or any(where.role in ("is", "from") for where in wheres)
-    into = (
-        first.preposition == "in" and first.of.sort in ("thing", "container") and second.relation is not None
-    )
-    if second.preposition == "in" and second.of.sort == "room":
-        tells = first.preposition is not None and first.of.is_place
-    else:
-        tells = (placed or into) and _tells(second, first)
-    if len(open_ones) > 2 or not tells:
+    into = first.preposition == "in" and first.of.sort in ("thing", "container")
+    known = placed or (into and second.relation is not None)
+    if len(open_ones) > 2 or not _tells(second, first, known=known):
         raise trouble("of these places, which is where it is, and which is where it goes?", asks=True)
     return _told(first, second)
 
 
-def _tells(second: Where, first: Where) -> bool:
+def _tells(second: Where, first: Where, *, known: bool) -> bool:
     """Whether the second of two places can only tell the first: "next to the box on the shelf"."""
     of = first.of
-    if of.reference or second.of.reference or of.sort in ("me", "you", "name", "room", "any"):
+    if second.preposition == "in" and second.of.sort == "room":
+        return first.preposition is not None and of.is_place
+    if not known or of.reference or second.of.reference or of.sort in ("me", "you", "name", "room", "any"):
         return False
     if second.relation is None:
         return second.preposition == "on" and second.of.is_place and not of.is_place
@@ -220,7 +212,7 @@ def _told(goal: Where, where: Where) -> Where:
     of = goal.of
     if of.sort == "me" and where.of.is_place:
         raise trouble(f"are you at the {where.of.kind}, or shall it be put there?", asks=True)
-    if of.reference or of.sort in ("me", "you") or _is_a_trait(where, of):
+    if of.reference or of.sort in ("me", "you") or (where.posture and of.sort == "person"):
         raise unfit()
     if where.relation is None and of.is_place and where.of.sort != "room":
         raise unfit()
@@ -237,11 +229,6 @@ def _is_spot(goal: Where, where: Where) -> bool:
     return beside and onto and not where.of.reference and where.of.relation is None
 
 
-def _is_a_trait(where: Where, of: Nominal) -> bool:
-    """Whether it begins with how somebody is, which tells who is meant: "the person sitting at the desk"."""
-    return bool(where.posture) and of.sort == "person"
-
-
 def _kind(where: Where) -> RelationKind:
     """A place as a relation."""
     return where.relation or _PLACES.get(where.preposition or "", "next_to")
@@ -250,8 +237,9 @@ def _kind(where: Where) -> RelationKind:
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
     """With where it is."""
     for where in said:
+        is_trait = bool(where.posture) and result.object.sort == "person"
         somebody = where.of.sort in ("me", "name", "you") and where.relation is None and where.role != "from"
-        if somebody or _is_a_trait(where, result.object):
+        if somebody or is_trait:
             raise unfit()
         if where.relation is not None:
             result = _beside(result, where)

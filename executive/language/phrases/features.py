@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -42,7 +41,7 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
         if not isinstance(nominal, Nominal):
             return nominal
         if isinstance(part, Feature) and part.slot == _FROM_SIDE:
-            nominal = _counted_from(nominal, part.value)
+            nominal = nominal.counted_from(part.value) if nominal.ordinal in COUNTED_FROM else None
         elif isinstance(part, Feature):
             nominal = nominal.described(part)
         elif isinstance(part, Relative):
@@ -50,16 +49,6 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
         elif isinstance(part, Word) and part.word_class == "ANOTHER":
             nominal = nominal.described(Feature("ordinal", part.meaning))
     return nominal
-
-
-def _counted_from(nominal: Nominal, side: str) -> Nominal | Trouble | None:
-    """The second cup from the right, which is not the second one."""
-    if nominal.ordinal not in COUNTED_FROM:
-        return None
-    if side == "leftmost":
-        return nominal
-    is_end = nominal.ordinal == "first"
-    return replace(nominal, ordinal=side if is_end else f"{nominal.ordinal}_from_right")
 
 
 def rank_of(nominal: Nominal) -> str | None:
@@ -91,10 +80,8 @@ def _adjective_word(parts: Parts) -> Word:
 def _on_side(parts: Parts) -> Feature | Trouble | None:
     """On the left, in the middle."""
     (side,) = words(parts, "LEFT_RIGHT", "ORDINAL")
-    whose = next((word for word in words(parts, "DET") if word.meaning in ("my", "our")), None)
-    if whose is not None:
-        told = f"'{whose.said} {side.said}': left and right are seen from the robot; which side is meant?"
-        return Trouble(told, asks=True)
+    if any(word.meaning in ("my", "our") for word in words(parts, "DET")):
+        return Trouble("left and right are seen from the robot; which side is meant?", asks=True)
     rank = _SIDES.get(side.meaning, side.meaning)
     return Feature("ordinal", rank) if rank in _ENDS else None
 

@@ -65,11 +65,15 @@ def _items(parts: Parts) -> Items | Trouble | None:
     links = [part for part in parts if isinstance(part, Joined)]
     if len(each) > 1 and any(one.of.sort == "you" or one.of.is_bare_one for one in each):
         return None  # "take the cup, you left it there"; "a cup to Ana and one to Ben"
-    if words(parts, "BOTH") and not (len(each) == 2 and not links[0].commas and all(map(_is_the_one, each))):
+    if words(parts, "BOTH") and (
+        len(each) != 2 or any(one.of.plural or not one.of.determined for one in each)
+    ):
         return None
     of_a_kind = all(one.of.anaphoric or one.of.kind == each[0].of.kind for one in each)
     for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
-        again = None if of_a_kind and _differ(first.of, second.of) else said_again(first.of, second.of, (link,))
+        again = (
+            None if of_a_kind and _differ(first.of, second.of) else said_again(first.of, second.of, (link,))
+        )
         unclear = again or _shared_adjective(first.of, second.of)
         if unclear is not None:
             return unclear
@@ -82,10 +86,6 @@ def _differ(first: Nominal, second: Nominal) -> bool:
     """Whether two things are told apart by what they are: "the red folder, the blue one"."""
     features = ((first.color, second.color), (first.size, second.size), (first.ordinal, second.ordinal))
     return any(one and other and one != other for one, other in features)
-
-
-def _is_the_one(item: Item) -> bool:
-    return item.of.is_single and item.of.determined and item.of.reference is None
 
 
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:

@@ -38,7 +38,12 @@ _LINKS = ("NEXT_TO", "RELATION", "NEAREST_TO")
 _ROLES: Mapping[str, Role] = {"REL_IS": "is", "FROM": "is", "TO": "to"}
 """What is said of a place by the word before it; the cup from under the table is under it."""
 
-_WITHIN: Mapping[str, RelationKind] = {"ON": "on", "IN": "in", "AT": "next_to"}
+_POINTED: Mapping[str, Where] = {
+    "HERE": Where("to", Nominal("me", "me", reference="here"), "to"),
+    "THERE": Where("to", Nominal("any", reference="there"), "at"),
+    "INSIDE": Where("to", Nominal("any", reference="it"), "in"),
+}
+_WITHIN: Mapping[str, RelationKind] = {"on": "on", "in": "in", "at": "next_to"}
 
 _FLAT = frozenset({"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "rug"})
 """Things that others stand on, so that the left side of one is a part of it."""
@@ -46,13 +51,11 @@ _FLAT = frozenset({"tray", "baking tray", "platter", "chopping board", "placemat
 _POSTURES = frozenset({"sitting", "standing", "lying"})
 
 
-def _where(parts: Parts) -> Where | Trouble | None:
+def _where(parts: Parts) -> Where | None:
     """Where a thing is or goes: on, in, at or beside something."""
     *_, of = parts
-    if not isinstance(of, Nominal):
-        return None
-    if of.sort == "animal":
-        return _at_an_animal(of)
+    if not isinstance(of, Nominal) or of.sort == "animal":
+        return None  # where an animal is, is no place: it moves
     clauses, links = words(parts, "REL_IS"), words(parts, *_LINKS)
     posture = next((one.meaning for one in clauses if one.meaning in _POSTURES), "")
     if links:
@@ -64,10 +67,6 @@ def _where(parts: Parts) -> Where | Trouble | None:
     return Where("is" if clauses else role, of, preposition, atop=word.meaning == "top", posture=posture)
 
 
-def _at_an_animal(of: Nominal) -> Trouble:
-    return Trouble(f"where an animal ({of.kind!r}) is, is no place: it moves", of.kind)
-
-
 def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
     """The relation that a word says; the left side of a table is a part of it, and no relation."""
     if link.meaning.endswith("_side_of"):
@@ -76,15 +75,12 @@ def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
     return None if of.sort == "you" and of.said else relation_kind(link.meaning)  # "by yourself"
 
 
-def _within(parts: Parts) -> Relative | Trouble | None:
+def _within(parts: Parts) -> Relative | None:
     """The second half of "the person next to the table", said of the noun before it."""
-    link, of = parts
-    if of.sort == "animal":
-        return _at_an_animal(of)
-    if link.word_class in _WITHIN:
-        return Relative(_WITHIN[link.word_class], of) if of.is_place else None
-    kind = _relation_of(link, of)
-    return None if kind is None else Relative(kind, of)
+    where = _where(parts)
+    if where is None or where.relation is not None:
+        return None if where is None or where.relation is None else Relative(where.relation, where.of)
+    return Relative(_WITHIN[where.preposition or "at"], where.of) if where.of.is_place else None
 
 
 def _qualified(parts: Parts) -> Nominal | Trouble | None:
@@ -103,12 +99,11 @@ def _trash(parts: Parts) -> Where:
     return Where("either" if words(parts, "IN") else "to", replace(BIN, said=TRASH), "in")
 
 
-def _here(_parts: Parts) -> Where:
-    return Where("to", Nominal("me", "me", reference="here"), "to")
-
-
-def _there(parts: Parts) -> Where:
-    return Where("from" if words(parts, "FROM") else "to", Nominal("any", reference="there"), "at")
+def _pointed(parts: Parts) -> Where:
+    """Here, there and inside, and from there."""
+    *came, word = parts
+    where = _POINTED[word.word_class]
+    return replace(where, role="from") if came else where
 
 
 def _located_first(parts: Parts) -> Where | None:
@@ -119,13 +114,6 @@ def _located_first(parts: Parts) -> Where | None:
 
 def _back(_parts: Parts) -> str:
     return "back"
-
-
-def _inside(parts: Parts) -> Where:
-    """Inside what was opened, or from there."""
-    if words(parts, "FROM"):
-        return Where("from", Nominal("any", reference="it", determined=True), "at")
-    return Where("to", Nominal("any", reference="it"), "in")
 
 
 def _hand(parts: Parts) -> Hand | None:
@@ -150,10 +138,10 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "within": _within,
         "qualified": _qualified,
         "trash": _trash,
-        "here": _here,
-        "there": _there,
+        "here": _pointed,
+        "there": _pointed,
+        "inside": _pointed,
         "back": _back,
-        "inside": _inside,
         "hand": _hand,
         "benefit": _benefit,
     }

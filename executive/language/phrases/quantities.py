@@ -66,12 +66,6 @@ def _measure(of: Quantity) -> Meaning:
     return meaning
 
 
-def _said_again(parts: Parts) -> Measure | None:
-    """A little bit, like half a meter: as much as is said then."""
-    measure: Measure = parts[-1]
-    return None if measure.of in ("linear_speed", "angular_speed") else measure
-
-
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "duration": _measure("duration"),
@@ -83,6 +77,5 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         "number": _number,
         "decimal": _decimal,
         "fraction": _fraction,
-        "said_again": _said_again,
     }
 )

@@ -113,6 +113,11 @@ class Nominal:
         changes: Any = {feature.slot: feature.value}
         return replace(self, **changes)
 
+    def counted_from(self, side: str) -> Nominal:
+        """The second from the right, of a second one; it may be said that it is from the left."""
+        last = "rightmost" if self.ordinal == "first" else f"{self.ordinal}_from_right"
+        return self if side == "leftmost" else replace(self, ordinal=last)
+
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
         if self.sort in ("me", "you") or (self.sort == "name" and not may_be_found(relation)):
@@ -146,7 +151,8 @@ class Nominal:
     @property
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
-        return not self.traits and all(getattr(self, name) is None for name in _DESCRIBES)
+        told = (self.color, self.size, self.material, self.ordinal, self.name, self.relation)
+        return not self.traits and all(one is None for one in told)
 
     @property
     def is_bare_one(self) -> bool:
@@ -163,9 +169,6 @@ def may_be_found(relation: Relative) -> bool:
     inside = relation.kind == "in" and of.sort == "room"
     beside = relation.kind == "next_to" and of.is_place
     return inside or beside or (relation.kind == "on" and of.kind in SEATS)
-
-
-_DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
 
 
 def wears(person: Nominal, thing: Nominal) -> Trouble:
@@ -213,6 +216,11 @@ class Item:
 
     of: Nominal
     details: tuple[Any, ...] = ()
+
+    @property
+    def each(self) -> tuple[Item, ...]:
+        """Itself, as a list has its items."""
+        return (self,)
 
 
 @dataclass(frozen=True, slots=True)
