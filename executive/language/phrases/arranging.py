@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -22,9 +22,7 @@ from executive.language.phrases.values import (
 )
 from executive.language.text.word import Word
 from executive.vocabulary.inflection import plural
-from trees.tasks import RelationKind
 
-_PLACES: Mapping[str, RelationKind] = {"on": "on", "in": "in"}
 ME = Nominal("me", "me", determined=True)
 
 
@@ -110,7 +108,8 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         goes: Whether a bare place says where things go, instead of where they are.
         has_source: Whether the task has a slot for where things are; else it tells them apart.
     """
-    items = [item for part in parts if isinstance(part, (Items, Item)) for item in part.each]
+    said = [part for part in parts if isinstance(part, (Items, Item))]
+    items = [item for part in said for item in (part.each if isinstance(part, Items) else (part,))]
     loose = tuple(part for part in parts if isinstance(part, (Where, Hand, Benefit)) or part == "back")
     if not items:
         raise unfit()
@@ -219,7 +218,7 @@ def _told(goal: Where, where: Where) -> Where:
     if _is_spot(goal, where):
         beside = checked(where.of.placed(Relative("on", of)))
         return replace(goal, of=beside, preposition=None, relation=where.relation)
-    return replace(goal, of=checked(of.placed(Relative(_kind(where), where.of))))
+    return replace(goal, of=checked(of.placed(where.told)))
 
 
 def _is_spot(goal: Where, where: Where) -> bool:
@@ -227,11 +226,6 @@ def _is_spot(goal: Where, where: Where) -> bool:
     beside = where.relation not in (None, "nearest") and where.of.sort in ("thing", "any")
     onto = goal.preposition == "on" and goal.relation is None and goal.of.sort == "furniture"
     return beside and onto and not where.of.reference and where.of.relation is None
-
-
-def _kind(where: Where) -> RelationKind:
-    """A place as a relation."""
-    return where.relation or _PLACES.get(where.preposition or "", "next_to")
 
 
 def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
@@ -249,7 +243,7 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
         elif where.role == "from":
             raise unfit()
         else:
-            result = _told_apart(result, Relative(_kind(where), where.of))
+            result = replace(result, object=checked(result.object.placed(where.told)))
     if result.object.reference and result.object.relation is not None:
         raise unfit()
     for place in (result.source, result.goal.of if result.goal else None):
@@ -264,7 +258,7 @@ def _beside(result: Arranged, where: Where) -> Arranged:
     Raises:
         TroubleError: It may be either: "the cup in the box next to the door".
     """
-    source, relation = result.source, Relative(_kind(where), where.of)
+    source, relation = result.source, where.told
     anything = result.object.kind is None and result.object.is_plain and not result.object.said
     if source is not None and (source.is_place or anything) and where.of.is_place:
         return replace(result, source=checked(source.placed(relation)))
@@ -278,16 +272,8 @@ def _inside(source: Nominal, where: Where) -> Nominal:
     """A place that another one tells: "on the table in the kitchen", "in the bowl on the table"."""
     in_a_room = where.of.sort == "room" and source.sort != "room"
     if in_a_room or (source.sort == "thing" and where.of.is_place and where.preposition in ("on", "in")):
-        return checked(source.placed(Relative("in" if in_a_room else _kind(where), where.of)))
+        return checked(source.placed(Relative("in", where.of) if in_a_room else where.told))
     if source != where.of:
         told = f"two places are named: {str(source.kind)!r} and {str(where.of.kind)!r}"
         raise trouble(told, str(where.of.kind))
     return source
-
-
-def _told_apart(result: Arranged, told: Relative) -> Arranged:
-    relation = result.object.relation
-    if relation is not None and told.to.sort == "room" and relation.to.is_place:
-        inner = checked(relation.to.placed(told))
-        return replace(result, object=replace(result.object, relation=Relative(relation.kind, inner)))
-    return replace(result, object=checked(result.object.placed(told)))

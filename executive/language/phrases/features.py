@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.parts import Parts, nominal_of, words
 from executive.language.phrases.values import Feature, Meaning, Nominal, Relative, Trouble
 from executive.language.text.word import Word
 
@@ -51,9 +50,14 @@ def described(nominal: Nominal | Trouble | None, parts: Parts) -> Nominal | Trou
     return nominal
 
 
-def rank_of(nominal: Nominal) -> str | None:
-    """What only one of several things is: the biggest, the first, the leftmost."""
-    return nominal.size if nominal.size in SUPERLATIVES else nominal.ordinal
+def of_noun(meaning: Callable[[Nominal, Parts], Any]) -> Meaning:
+    """A meaning that is made of the noun among the parts, with every feature among them."""
+
+    def run(parts: Parts) -> Any:
+        nominal = described(nominal_of(parts), parts)
+        return meaning(nominal, parts) if isinstance(nominal, Nominal) else nominal
+
+    return run
 
 
 def feature_of(word: Any) -> Feature | Relative | None:
@@ -68,13 +72,7 @@ def feature_of(word: Any) -> Feature | Relative | None:
 
 
 def _adjective(parts: Parts) -> Feature | Relative | None:
-    word, *pause = parts
-    return feature_of(word) if all(mark.meaning == "," for mark in pause) else None
-
-
-def _adjective_word(parts: Parts) -> Word:
-    first: Word = parts[0]
-    return first
+    return feature_of(parts[0])
 
 
 def _on_side(parts: Parts) -> Feature | Trouble | None:
@@ -108,13 +106,10 @@ def _wearing(parts: Parts) -> Feature | Trouble:
     return Feature("traits", f"{colors[0].meaning} {garment.meaning}")
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "adjective": _adjective,
-        "adjective_word": _adjective_word,
-        "on_side": _on_side,
-        "from_side": _from_side,
-        "told_after": _told_after,
-        "wearing": _wearing,
-    }
-)
+MEANINGS: Mapping[str, Meaning] = {
+    "adjective": _adjective,
+    "on_side": _on_side,
+    "from_side": _from_side,
+    "told_after": _told_after,
+    "wearing": _wearing,
+}

@@ -29,9 +29,6 @@ BACK = Nominal("any", reference="there", name="back")
 BIN = Nominal("container", "bin")
 """Where things are thrown away."""
 
-_PEOPLE = "person"
-"""The only word for several people whom perception can tell from anybody else."""
-
 TRASH = "trash"
 """A word for the bin that says where a thing goes, or is: "the can in the trash"."""
 
@@ -105,7 +102,7 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     slot = "person" if nominal.is_person else "object"
     thing = {slot: replace(nominal, count=count)}
     told = draft("find", **thing, source=source, count=None if count == 1 else count)
-    told_apart = nominal.kind == _PEOPLE if nominal.is_person else not nominal.is_place
+    told_apart = nominal.kind == "person" if nominal.is_person else not nominal.is_place  # guests are not
     if count == 1 or (told_apart and not nominal.is_vague):
         return told
     return told.with_slot("one_of", f"which one of the {plural(nominal.kind or 'thing')}?")

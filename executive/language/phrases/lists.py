@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Any
 
 from executive.language.phrases.features import described
@@ -65,27 +64,16 @@ def _items(parts: Parts) -> Items | Trouble | None:
     links = [part for part in parts if isinstance(part, Joined)]
     if len(each) > 1 and any(one.of.sort == "you" or one.of.is_bare_one for one in each):
         return None  # "take the cup, you left it there"; "a cup to Ana and one to Ben"
-    if words(parts, "BOTH") and (
-        len(each) != 2 or any(one.of.plural or not one.of.determined for one in each)
-    ):
+    both = len(each) == 2 and all(one.of.determined and not one.of.plural for one in each)
+    if words(parts, "BOTH") and not both:
         return None
-    of_a_kind = all(one.of.anaphoric or one.of.kind == each[0].of.kind for one in each)
     for (first, second), link in zip(itertools.pairwise(each), links, strict=True):
-        again = (
-            None if of_a_kind and _differ(first.of, second.of) else said_again(first.of, second.of, (link,))
-        )
-        unclear = again or _shared_adjective(first.of, second.of)
+        unclear = said_again(first.of, second.of, (link,)) or _shared_adjective(first.of, second.of)
         if unclear is not None:
             return unclear
-    if links and all(link.commas for link in links) and not all(one.details for one in each):
-        return _one_or_two(each[0].of, each[1].of)
-    return Items(each)
-
-
-def _differ(first: Nominal, second: Nominal) -> bool:
-    """Whether two things are told apart by what they are: "the red folder, the blue one"."""
-    features = ((first.color, second.color), (first.size, second.size), (first.ordinal, second.ordinal))
-    return any(one and other and one != other for one, other in features)
+    only_commas = bool(links) and all(link.commas for link in links)
+    apart = all(one.details for one in each)
+    return _one_or_two(each[0].of, each[1].of) if only_commas and not apart else Items(each)
 
 
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
@@ -114,8 +102,7 @@ def _shared_adjective(first: Nominal, second: Nominal) -> Trouble | None:
 def another_of(last: Nominal, before: Sequence[Nominal]) -> Nominal:
     """What "the bottom one" is after "the top drawer of the desk": a drawer, and of the desk too.
 
-    It stays what it is where several sorts of things were named, or where the first is "next to the sink",
-    which may hold of the other or not.
+    Where the first is "next to the sink", that may hold of the other or not.
     """
     kinds = {(one.sort, one.kind) for one in before}
     if not last.anaphoric or len(kinds) != 1 or last.is_plain:
@@ -156,12 +143,10 @@ def spoken(nominal: Nominal) -> str:
     return " ".join(["the", *(one for one in attributes if one)])
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "item": _item,
-        "items": _items,
-        "joined": _joined,
-        "alternatives": _alternatives,
-        "two_of_a_kind": _two_of_a_kind,
-    }
-)
+MEANINGS: Mapping[str, Meaning] = {
+    "item": _item,
+    "items": _items,
+    "joined": _joined,
+    "alternatives": _alternatives,
+    "two_of_a_kind": _two_of_a_kind,
+}

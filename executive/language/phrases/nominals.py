@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
-from executive.language.phrases.amounts import one_by_one
-from executive.language.phrases.features import COUNTED_FROM, ROBOT, described, rank_of
-from executive.language.phrases.parts import Parts, nominal_of, words
+from executive.language.phrases.features import COUNTED_FROM, ROBOT, SUPERLATIVES, described, of_noun
+from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Meaning, Nominal, Relative, Sort, Trouble
-from executive.language.text.word import Word
 
 _SORTS: Mapping[str, Sort] = {
     "KIND": "thing",
@@ -44,10 +41,8 @@ _PRONOUNS: Mapping[str, Nominal] = {
 }
 
 
-def _noun(parts: Parts) -> Nominal | None:
-    (word,) = parts if len(parts) == 1 else (None,)
-    if not isinstance(word, Word):
-        return word if isinstance(word, Nominal) else None
+def _noun(parts: Parts) -> Nominal:
+    (word,) = words(parts, *_SORTS, *_PLURALS)
     said_as = _PLURALS.get(word.word_class, word.word_class)
     sort = _SORTS[said_as]
     kind = None if sort == "any" else word.meaning
@@ -88,10 +83,7 @@ def _part_of(parts: Parts) -> Nominal | Trouble | None:
     return described(named, parts)
 
 
-def _one(parts: Parts) -> Nominal | Trouble | None:
-    nominal = described(nominal_of(parts), parts)
-    if not isinstance(nominal, Nominal):
-        return nominal
+def _one(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     if nominal.plural and nominal.said == nominal.kind:
         return None  # "the fish" is one, "two fish" are two
     told = next((word.meaning for word in words(parts, "DET")), "")
@@ -104,59 +96,52 @@ def _one(parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, determined=determined, indefinite=told == "a", whose=whose)
 
 
-def _owned(parts: Parts) -> Nominal | Trouble | None:
+def _owned(nominal: Nominal, parts: Parts) -> Nominal | None:
     """Ana's cup, the dog's leash."""
     (owner,) = words(parts, "OWNER", "OWNING", "OWNING_ANIMAL")
     named = owner.word_class == "OWNER"
-    nominal = described(nominal_of(parts), parts)
-    if not isinstance(nominal, Nominal) or nominal.name is not None or nominal.kind is None:
-        return nominal if isinstance(nominal, Trouble) else None
+    if nominal.name is not None or nominal.kind is None:
+        return None
     whose = f"{owner.meaning}'s" if named else owner.said
     somebody = Nominal("name" if named else "person", owner.meaning, determined=True)
     person = None if owner.word_class == "OWNING_ANIMAL" else somebody
     return replace(nominal, name=f"{whose} {nominal.kind}", determined=True, owner=person)
 
 
-def _simple(parts: Parts) -> Nominal | None:
+def _simple(parts: Parts) -> Nominal:
     """Pronouns and names."""
-    word = parts[0]
-    if len(parts) != 1 or not isinstance(word, Word):
-        return word if len(parts) == 1 else None
+    (word,) = words(parts, "NAME", *_PRONOUNS)
     if word.word_class == "NAME":
         return Nominal("name", word.meaning, determined=True)
-    pronoun = _PRONOUNS.get(word.word_class)
+    pronoun = _PRONOUNS[word.word_class]
     said = word.said if word.word_class == "HIM" else word.meaning
-    return None if pronoun is None else replace(pronoun, said="" if said == pronoun.kind else said)
+    return replace(pronoun, said="" if said == pronoun.kind else said)
 
 
 def _np(parts: Parts) -> Nominal | Trouble | None:
-    """A noun with what is said behind it; what counts several things may not tell them as only one can be."""
-    nominal: Nominal | Trouble | None = parts[0]
-    if not isinstance(nominal, Nominal):
-        return nominal
-    if len(parts) > 1 and (nominal.reference or nominal.sort in ("me", "you", "name")):
+    """A noun with what is said behind it; of what only one thing is there are not several."""
+    nominal, *said = parts
+    if said and (nominal.reference or nominal.sort in ("me", "you", "name")):
         return None
-    told = described(nominal, parts[1:])
+    told = described(nominal, tuple(said))
     if not isinstance(told, Nominal):
         return told
     nearest = told.relation is not None and told.relation.kind == "nearest"
-    if told.ordinal in COUNTED_FROM and (nearest or rank_of(told) != told.ordinal):
+    rank = told.size if told.size in SUPERLATIVES else told.ordinal
+    if told.ordinal in COUNTED_FROM and (nearest or rank != told.ordinal):
         return Trouble(f"the {told.ordinal}: things are counted from a side only", told.ordinal)
-    rank = rank_of(told)
-    if rank not in (None, "other") and (told.plural or told.count != 1):
-        return Trouble(one_by_one(str(rank)), rank)
+    if rank is not None and rank != "other" and (told.plural or told.count != 1):
+        return Trouble(f"{rank!r} is one of them; name several things one by one", rank)
     return told
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "noun": _noun,
-        "filled": _filled,
-        "door_of": _door_of,
-        "part_of": _part_of,
-        "one": _one,
-        "owned": _owned,
-        "simple": _simple,
-        "np": _np,
-    }
-)
+MEANINGS: Mapping[str, Meaning] = {
+    "noun": _noun,
+    "filled": _filled,
+    "door_of": _door_of,
+    "part_of": _part_of,
+    "one": of_noun(_one),
+    "owned": of_noun(_owned),
+    "simple": _simple,
+    "np": _np,
+}

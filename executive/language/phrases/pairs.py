@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
 from executive.language.commands.handling import given, handed, picked, recipient
 from executive.language.phrases.arranging import ME, Arranged, arranged, clause, guarded, trouble, unfit
-from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.parts import Parts, always, words
 from executive.language.phrases.values import (
-    Bundle,
     Clause,
     Items,
     Meaning,
@@ -20,11 +18,6 @@ from executive.language.phrases.values import (
 )
 from executive.language.resolve.genders import may_be
 from executive.language.text.word import Word
-
-
-def _us(_parts: Parts) -> Nominal:
-    """Who asks, where something is handed over; nobody else is waved to, looked at or gone to."""
-    return ME
 
 
 def _pair(parts: Parts) -> Pair | Trouble | None:
@@ -65,22 +58,19 @@ def _pairs(parts: Parts) -> list[tuple[Nominal, Arranged]]:
     return result
 
 
-def _bring_pairs(parts: Parts) -> Clause:
-    bundles: list[Bundle] = [handed(picked(one, fetched=True), person) for person, one in _pairs(parts)]
-    return clause(parts, bundles)
+def _pairs_given(parts: Parts) -> Clause:
+    """Everybody gets theirs; what is brought is picked up first."""
+    gives = bool(words(parts, "GIVE"))
+    return clause(
+        parts,
+        [given(one, who) if gives else handed(picked(one, fetched=True), who) for who, one in _pairs(parts)],
+    )
 
 
-def _give_pairs(parts: Parts) -> Clause:
-    return clause(parts, [given(one, person) for person, one in _pairs(parts)])
-
-
-_COMMANDS: Mapping[str, Callable[[Parts], Clause]] = {"bring_pairs": _bring_pairs, "give_pairs": _give_pairs}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "us": _us,
-        "pair": _pair,
-        "own_pair": _own_pair,
-        **{name: guarded(meaning) for name, meaning in _COMMANDS.items()},
-    }
-)
+MEANINGS: Mapping[str, Meaning] = {
+    "us": always(ME),
+    "pair": _pair,
+    "own_pair": _own_pair,
+    "bring_pairs": guarded(_pairs_given),
+    "give_pairs": guarded(_pairs_given),
+}

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
-from executive.language.phrases.features import ROBOT
 from executive.language.phrases.handled_thing import BIN, TRASH
-from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.parts import Parts, always, words
 from executive.language.phrases.values import (
     Benefit,
     Hand,
@@ -19,7 +17,6 @@ from executive.language.phrases.values import (
     Role,
     Trouble,
     Where,
-    may_be_found,
     relation_kind,
 )
 from executive.language.text.word import Word
@@ -83,16 +80,14 @@ def _within(parts: Parts) -> Relative | None:
     return Relative(_WITHIN[where.preposition or "at"], where.of) if where.of.is_place else None
 
 
-def _qualified(parts: Parts) -> Nominal | Trouble | None:
+def _qualified(parts: Parts) -> Nominal | None:
     """The person next to the table, the table in the kitchen."""
     nominal, relation = parts
-    is_somewhere = nominal.is_place and relation.kind in ("on", "in") and relation.to.sort != "room"
-    if not (nominal.is_person or nominal.is_place) or nominal.reference or is_somewhere:
-        return None
-    if nominal.sort == "me" or (nominal.sort == "name" and not may_be_found(relation)):
+    inside = nominal.is_place and relation.kind in ("on", "in") and relation.to.sort != "room"
+    if not (nominal.is_person or nominal.is_place) or nominal.reference or inside:
         return None
     placed: Nominal | Trouble = nominal.placed(relation)
-    return placed
+    return placed if isinstance(placed, Nominal) else None
 
 
 def _trash(parts: Parts) -> Where:
@@ -112,10 +107,6 @@ def _located_first(parts: Parts) -> Where | None:
     return Where("is", place, "in") if isinstance(place, Nominal) and place.is_place else None
 
 
-def _back(_parts: Parts) -> str:
-    return "back"
-
-
 def _hand(parts: Parts) -> Hand | None:
     (side,) = words(parts, "LEFT_RIGHT")
     if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
@@ -130,21 +121,17 @@ def _benefit(parts: Parts) -> Benefit | None:
     return Benefit(person) if isinstance(person, Nominal) and person.is_person else None
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "where": _where,
-        "located_from": _where,
-        "located_first": _located_first,
-        "within": _within,
-        "qualified": _qualified,
-        "trash": _trash,
-        "here": _pointed,
-        "there": _pointed,
-        "inside": _pointed,
-        "back": _back,
-        "hand": _hand,
-        "benefit": _benefit,
-    }
-)
-
-__all__ = ["MEANINGS", "ROBOT"]
+MEANINGS: Mapping[str, Meaning] = {
+    "where": _where,
+    "located_from": _where,
+    "located_first": _located_first,
+    "within": _within,
+    "qualified": _qualified,
+    "trash": _trash,
+    "here": _pointed,
+    "there": _pointed,
+    "inside": _pointed,
+    "back": always("back"),
+    "hand": _hand,
+    "benefit": _benefit,
+}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Meaning, Measure, Quantity
@@ -66,16 +65,14 @@ def _measure(of: Quantity) -> Meaning:
     return meaning
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        "duration": _measure("duration"),
-        "distance": _measure("distance"),
-        "angle": _measure("angle"),
-        "linear_speed": _measure("linear_speed"),
-        "angular_speed": _measure("angular_speed"),
-        "amount": _number,
-        "number": _number,
-        "decimal": _decimal,
-        "fraction": _fraction,
-    }
-)
+MEANINGS: Mapping[str, Meaning] = {
+    "duration": _measure("duration"),
+    "distance": _measure("distance"),
+    "angle": _measure("angle"),
+    "linear_speed": _measure("linear_speed"),
+    "angular_speed": _measure("angular_speed"),
+    "amount": _number,
+    "number": _number,
+    "decimal": _decimal,
+    "fraction": _fraction,
+}

@@ -22,12 +22,10 @@ HARMS = "could harm; this robot does not do that"
 EXCEEDS = "exceeds the limit of"
 """What a refusal says of a number that is over a limit, which holds however the rest is read."""
 
-_RELATION_KINDS: dict[str, RelationKind] = {kind: kind for kind in get_args(RelationKind)}
-
 
 def relation_kind(name: str) -> RelationKind | None:
     """The relation of a name, or None when it is none that a task can have."""
-    return _RELATION_KINDS.get(name)
+    return next((kind for kind in get_args(RelationKind) if kind == name), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,9 +122,12 @@ class Nominal:
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
             return wears(self, relation.to)
-        if self.relation is not None and self.relation != relation:
+        if self.relation is None or self.relation == relation:
+            return replace(self, relation=relation)
+        inner = self.relation.to.placed(relation) if relation.to.sort == "room" else None
+        if not self.relation.to.is_place or not isinstance(inner, Nominal):
             return Trouble("more than one place is named for the same thing", None)
-        return replace(self, relation=relation)
+        return replace(self, relation=Relative(self.relation.kind, inner))  # at the desk in the kitchen
 
     @property
     def is_person(self) -> bool:
@@ -195,6 +196,12 @@ class Where:
     atop: bool = False
     posture: str = ""
 
+    @property
+    def told(self) -> Relative:
+        """The place as a relation."""
+        places: dict[str | None, RelationKind] = {"on": "on", "in": "in"}
+        return Relative(self.relation or places.get(self.preposition, "next_to"), self.of)
+
 
 @dataclass(frozen=True, slots=True)
 class Hand:
@@ -216,11 +223,6 @@ class Item:
 
     of: Nominal
     details: tuple[Any, ...] = ()
-
-    @property
-    def each(self) -> tuple[Item, ...]:
-        """Itself, as a list has its items."""
-        return (self,)
 
 
 @dataclass(frozen=True, slots=True)
