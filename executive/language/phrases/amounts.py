@@ -15,6 +15,8 @@ MAX_COUNT = 20
 WHICH_OBJECT = Trouble("which object is meant?", asks=True)
 """The question where nothing tells what is meant."""
 
+WHICH_GLASSES = Trouble("glasses to see with, or to drink from?", asks=True)
+
 
 def _several(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     """Two cups, both cups, all three cups, every cup."""
@@ -33,6 +35,8 @@ def _several(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
         return None
     if nominal.anaphoric and count == 1:
         return None
+    if nominal.kind == "glasses" and count == "all":
+        return WHICH_GLASSES
     plural = nominal.plural or bool(every or words(parts, "ALL"))
     return replace(nominal, count=count, counted=True, determined=True, plural=plural)
 

@@ -23,6 +23,11 @@ from executive.language.phrases.values import (
 )
 from executive.language.text.word import Word
 
+SORTS_OF_THINGS = frozenset(
+    {"food", "fruit", "vegetable", "drink", "snack", "dish", "utensil", "tool", "toy", "game", "clothes"}
+)
+"""What a noun behind a comma may say more exactly: "my drink, the juice"."""
+
 
 @dataclass(frozen=True, slots=True)
 class Joined:
@@ -79,8 +84,8 @@ def _items(parts: Parts) -> Items | Trouble | None:
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
     """The cup, the red one: after a mere comma it may be told again which thing is meant."""
     commas = any(isinstance(link, Joined) and link.commas for link in links)
-    nameless = before.sort == "any" and not before.reference
-    same = last.anaphoric or nameless or (last.kind is not None and last.kind == before.kind)
+    sort = before.kind in SORTS_OF_THINGS or (before.sort == "any" and not before.reference)
+    same = last.anaphoric or sort or (last.kind is not None and last.kind == before.kind)
     return _one_or_two(before, last) if commas and same else None
 
 

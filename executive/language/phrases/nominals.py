@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from executive.language.phrases.amounts import WHICH_GLASSES
 from executive.language.phrases.features import COUNTED_FROM, ROBOT, SUPERLATIVES, described, of_noun
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Meaning, Nominal, Relative, Sort, Trouble
@@ -96,12 +97,14 @@ def _one(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     return replace(nominal, determined=determined, indefinite=told == "a", whose=whose)
 
 
-def _owned(nominal: Nominal, parts: Parts) -> Nominal | None:
+def _owned(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     """Ana's cup, the dog's leash."""
     (owner,) = words(parts, "OWNER", "OWNING", "OWNING_ANIMAL")
     named = owner.word_class == "OWNER"
     if nominal.name is not None or nominal.kind is None:
         return None
+    if nominal.plural and nominal.kind == "glass":
+        return WHICH_GLASSES
     whose = f"{owner.meaning}'s" if named else owner.said
     somebody = Nominal("name" if named else "person", owner.meaning, determined=True)
     person = None if owner.word_class == "OWNING_ANIMAL" else somebody

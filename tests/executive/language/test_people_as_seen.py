@@ -122,7 +122,8 @@ def test_a_thing_in_clothes_is_in_them():
 
 
 @pytest.mark.parametrize(
-    "said", ["do not wave to the waving person", "if the person is waving, wave to them", "is the person sitting"]
+    "said",
+    ["do not wave to the waving person", "if the person is waving, wave to them", "is the person sitting"],
 )
 def test_what_is_seen_makes_no_order(said):
     assert parse(said).outcome != "tasks"

@@ -39,13 +39,13 @@ def test_which_of_several_places_is_asked(said):
 def test_the_last_of_a_row_that_was_named_is_one_of_it():
     said = "there are three cups on the table. pick up the last one"
 
-    assert tasks(said) == [
-        {"action": "pick", "object": {"kind": "cup", "ordinal": "last"}, "from": "table"}
-    ]
+    assert tasks(said) == [{"action": "pick", "object": {"kind": "cup", "ordinal": "last"}, "from": "table"}]
     assert "nothing was named before" in parse("pick up the last one").question.text
 
 
-@pytest.mark.parametrize("said", ["tell me what is the heaviest object on the desk", "pick up the lightest box"])
+@pytest.mark.parametrize(
+    "said", ["tell me what is the heaviest object on the desk", "pick up the lightest box"]
+)
 def test_what_things_weigh_is_told_to_be_unknown(said):
     assert "cannot weigh" in parse(said).refusal.message
 
