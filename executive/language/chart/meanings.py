@@ -30,7 +30,6 @@ from executive.language.phrases import (
     nominals,
     pairs,
     places,
-    quantities,
 )
 from executive.language.phrases.values import Meaning
 
@@ -49,7 +48,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **pairs.MEANINGS,
         **places.MEANINGS,
         **placing.MEANINGS,
-        **quantities.MEANINGS,
         **sentences.MEANINGS,
         **skilled.MEANINGS,
         **speech.MEANINGS,

@@ -164,19 +164,15 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
 def _only(values: list[Any]) -> Any:
     distinct = list(dict.fromkeys(values))
     if len(distinct) > 1:
-        first, second = (getattr(one, "kind", one) for one in distinct[:2])
-        raise trouble(f"{first!r} and {second!r} contradict each other", str(second))
+        first, second = (str(getattr(one, "kind", one)) for one in distinct[:2])
+        raise trouble(f"{first!r} and {second!r} contradict each other", second)
     return distinct[0] if distinct else None
 
 
 def _goal(thing: Nominal, wheres: list[Where], open_ones: list[Where]) -> Where:
     """Where it goes, among places that may as well be where it is.
 
-    No place can tell which thing is meant that is "it", or comes from somewhere; and into a bowl something
-    goes, whatever that is next to.
-
-    Raises:
-        TroubleError: Either may be where it goes.
+    No place tells which thing is meant by "it", or what comes from somewhere; and things go into a bowl.
     """
     first = open_ones[0]
     if len(open_ones) == 1:
@@ -204,9 +200,9 @@ def _tells(second: Where, first: Where, *, known: bool) -> bool:
 
 
 def _told(goal: Where, where: Where) -> Where:
-    """What is said after where the thing goes tells where that is: "to the man who is by the door".
+    """Where the thing goes, told by what is said after it: "to the man by the door".
 
-    What else stands on a table tells of no table which one it is, but where on it: "next to the plate".
+    What else stands on a table tells where on it: "next to the plate".
     """
     of = goal.of
     if of.sort == "me" and where.of.is_place:
@@ -253,11 +249,7 @@ def _at(result: Arranged, said: list[Where], *, has_source: bool) -> Arranged:
 
 
 def _beside(result: Arranged, where: Where) -> Arranged:
-    """With what a thing, or the place where it is, is beside.
-
-    Raises:
-        TroubleError: It may be either: "the cup in the box next to the door".
-    """
+    """With what a thing is beside, or the place where it is: "the cup in the box next to the door"."""
     source, relation = result.source, where.told
     anything = result.object.kind is None and result.object.is_plain and not result.object.said
     if source is not None and (source.is_place or anything) and where.of.is_place:

@@ -60,19 +60,15 @@ def of_noun(meaning: Callable[[Nominal, Parts], Any]) -> Meaning:
     return run
 
 
-def feature_of(word: Any) -> Feature | Relative | None:
-    """What an adjective says of a thing."""
-    if not isinstance(word, Word):
+def _adjective(parts: Parts) -> Feature | Relative | None:
+    """Before its noun or behind it: "red", "made of wood", "that is red"; not "the cup you see first"."""
+    *_, word = words(parts, *_SLOTS, "LEFT_RIGHT", "NEAREST")
+    if any(link.meaning == "seen" for link in words(parts, "REL_IS")):
         return None
-    if word.word_class == "LEFT_RIGHT":
-        return Feature("ordinal", _SIDES[word.meaning])
     if word.word_class == "NEAREST":
         return Relative("nearest", ROBOT)
-    return Feature(_SLOTS[word.word_class], word.meaning)
-
-
-def _adjective(parts: Parts) -> Feature | Relative | None:
-    return feature_of(parts[0])
+    slot = _SLOTS.get(word.word_class, "ordinal")
+    return Feature(slot, _SIDES[word.meaning] if word.word_class == "LEFT_RIGHT" else word.meaning)
 
 
 def _on_side(parts: Parts) -> Feature | Trouble | None:
@@ -89,13 +85,6 @@ def _from_side(parts: Parts) -> Feature:
     return Feature(_FROM_SIDE, _SIDES[words(parts, "LEFT_RIGHT")[0].meaning])
 
 
-def _told_after(parts: Parts) -> Feature | Relative | None:
-    """An adjective behind its noun: "made of wood", "that is red"; not "the cup you see first"."""
-    *_, word = words(parts, *_SLOTS, "LEFT_RIGHT", "NEAREST")
-    seen = any(link.meaning == "seen" for link in words(parts, "REL_IS"))
-    return None if seen else feature_of(word)
-
-
 def _wearing(parts: Parts) -> Feature | Trouble:
     """Wearing a red shirt: a garment and its colour, as people's clothes are seen."""
     (garment,) = words(parts, "GARMENT", "GARMENTS")
@@ -110,6 +99,6 @@ MEANINGS: Mapping[str, Meaning] = {
     "adjective": _adjective,
     "on_side": _on_side,
     "from_side": _from_side,
-    "told_after": _told_after,
+    "told_after": _adjective,
     "wearing": _wearing,
 }

@@ -6,9 +6,7 @@ from dataclasses import replace
 
 from executive.language.phrases.amounts import WHICH_OBJECT
 from executive.language.phrases.arranging import Arranged, TroubleError, trouble
-from executive.language.phrases.parts import Parts
-from executive.language.phrases.values import Draft, Item, Nominal, draft
-from executive.language.text.word import Word
+from executive.language.phrases.values import Draft, Nominal, draft
 from executive.vocabulary.inflection import plural
 from trees.beliefs.grounding.articles import with_article
 
@@ -56,11 +54,6 @@ def count_of(nominal: Nominal) -> int | str | None:
     return None if nominal.count == 1 else nominal.count
 
 
-def with_it(parts: Parts) -> Parts:
-    """With the thing that a terse command leaves out: "take the cup, place on the shelf"."""
-    return (*(part for part in parts if isinstance(part, Word)), Item(IT), *parts[1:])
-
-
 def only_for(one: Arranged, person: Nominal) -> None:
     """Nobody else may be named to get it: "hand the cup for Ana to Ben".
 
@@ -86,12 +79,8 @@ def has_clear_place(one: Arranged) -> None:
 def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> Draft:
     """The task of looking for something; ``existing`` is whether it is asked if there is any such thing.
 
-    A bare plural is satisfied by one ("find cups"), "the cups" are all of them. Which one is asked where
-    several cannot be told: pieces of furniture are seen in parts, and "some" is no number. The question
-    comes with the task, for other readings know better: "find some cups and count them".
-
-    Raises:
-        TroubleError: It is asked whether there are so many.
+    A bare plural is satisfied by one ("find cups"), "the cups" are all of them. Where several cannot be told,
+    as furniture that is seen in parts, the task comes with a question: another reading may know better.
     """
     if existing and nominal.counted:
         raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))
@@ -99,8 +88,7 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     count = 1 if existing or nominal.reference else "all" if every else nominal.count
     if nominal.is_person and (existing or (count == 1 and nominal.traits)):
         nominal = replace(nominal, plural=False)  # "are there any people": one is enough
-    slot = "person" if nominal.is_person else "object"
-    thing = {slot: replace(nominal, count=count)}
+    thing = {"person" if nominal.is_person else "object": replace(nominal, count=count)}
     told = draft("find", **thing, source=source, count=None if count == 1 else count)
     told_apart = nominal.kind == "person" if nominal.is_person else not nominal.is_place  # guests are not
     if count == 1 or (told_apart and not nominal.is_vague):

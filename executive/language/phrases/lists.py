@@ -45,10 +45,7 @@ def _joined(parts: Parts) -> Joined | None:
 
 
 def named_together(goals: Sequence[Any], parts: Parts) -> tuple[Nominal, ...]:
-    """The places before the last one, unless that is said to come later: "to the table and to the shelf".
-
-    "There" may then be any of them, where "to the table, then to the shelf" leaves but the last one.
-    """
+    """The places before the last one that "there" may be as well, unless the last is said to come later."""
     links = [part for part in parts if isinstance(part, Joined)]
     if not links or links[-1].then:
         return ()
@@ -76,9 +73,8 @@ def _items(parts: Parts) -> Items | Trouble | None:
         unclear = said_again(first.of, second.of, (link,)) or _shared_adjective(first.of, second.of)
         if unclear is not None:
             return unclear
-    only_commas = bool(links) and all(link.commas for link in links)
-    apart = all(one.details for one in each)
-    return _one_or_two(each[0].of, each[1].of) if only_commas and not apart else Items(each)
+    apart = all(one.details for one in each) or not all(link.commas for link in links)
+    return Items(each) if apart or len(each) == 1 else _one_or_two(each[0].of, each[1].of)
 
 
 def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble | None:
@@ -90,8 +86,8 @@ def said_again(before: Nominal, last: Nominal, links: Iterable[Any]) -> Trouble 
 
 
 def _one_or_two(before: Nominal, last: Nominal) -> Trouble:
-    question = "is this one thing or two? say 'and' between two"
-    return Trouble(f"{spoken(before)}, {spoken(last)}: {question}", asks=True)
+    both = f"{spoken(before)}, {spoken(last)}"
+    return Trouble(f"{both}: is this one thing or two? say 'and' between two", asks=True)
 
 
 def _shared_adjective(first: Nominal, second: Nominal) -> Trouble | None:
@@ -100,8 +96,8 @@ def _shared_adjective(first: Nominal, second: Nominal) -> Trouble | None:
     bare = second.is_plain and not (second.determined or second.plural or second.reference)
     if not (told and first.determined and bare and second.sort == "thing") or second.paired:
         return None
-    question = f"shall the {second.kind} be {told} too? say 'the' before it"
-    return Trouble(f"{spoken(first)} and {second.kind}: {question}", asks=True)
+    both = f"{spoken(first)} and {second.kind}"
+    return Trouble(f"{both}: shall the {second.kind} be {told} too? say 'the' before it", asks=True)
 
 
 def another_of(last: Nominal, before: Sequence[Nominal]) -> Nominal:

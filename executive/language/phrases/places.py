@@ -40,8 +40,6 @@ _POINTED: Mapping[str, Where] = {
     "THERE": Where("to", Nominal("any", reference="there"), "at"),
     "INSIDE": Where("to", Nominal("any", reference="it"), "in"),
 }
-_WITHIN: Mapping[str, RelationKind] = {"on": "on", "in": "in", "at": "next_to"}
-
 _FLAT = frozenset({"tray", "baking tray", "platter", "chopping board", "placemat", "mat", "rug"})
 """Things that others stand on, so that the left side of one is a part of it."""
 
@@ -75,9 +73,7 @@ def _relation_of(link: Word, of: Nominal) -> RelationKind | None:
 def _within(parts: Parts) -> Relative | None:
     """The second half of "the person next to the table", said of the noun before it."""
     where = _where(parts)
-    if where is None or where.relation is not None:
-        return None if where is None or where.relation is None else Relative(where.relation, where.of)
-    return Relative(_WITHIN[where.preposition or "at"], where.of) if where.of.is_place else None
+    return where.told if where is not None and (where.relation or where.of.is_place) else None
 
 
 def _qualified(parts: Parts) -> Nominal | None:

@@ -174,9 +174,8 @@ def may_be_found(relation: Relative) -> bool:
 
 def wears(person: Nominal, thing: Nominal) -> Trouble:
     """The refusal of "the man in the hat": it is no place where he is."""
-    word = thing.said or thing.kind
-    told = "where somebody is, is a room or at furniture, and what somebody wears is a garment and its colour"
-    return Trouble(f"the {person.kind} in the {word}: {told}", word)
+    told = "somebody is in a room or at furniture, and wears a garment of some colour"
+    return Trouble(f"the {person.kind} in the {thing.said or thing.kind}: {told}", thing.said or thing.kind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,14 +232,6 @@ class Items:
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
-    """Things for a person: "Ana the cup"."""
-
-    person: Nominal
-    items: Items
-
-
-@dataclass(frozen=True, slots=True)
 class Measure:
     """A quantity in SI units."""
 
@@ -271,10 +262,7 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names, and where it says that it is, in which state, or for whom.
-
-    Of what merely ``exists`` it is not said where.
-    """
+    """A thing that a statement names: where it is, in which state, for whom, or merely that it ``exists``."""
 
     of: Nominal
     source: Nominal | None = None
@@ -298,12 +286,8 @@ class Clause:
         said_before: What another clause names that is said before this one and done after it.
         terse: Whether its first words could belong to what is said before it: "forward 2 m".
         number: Which one of a numbered list it is.
-        spelled: Whether that is a mere number in words: "one, go home. Two, wave".
         question: Whether it begins as a question does, and may be meant for "which is ...".
         topic: Whether it begins with its thing, which after "and" may be one more of what precedes.
-        you: What it is if "you" stands before it: see ``told``.
-        begun: Whether it is said to be the "first", the "last" or the "next" one: "begin by opening it".
-        placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
         said_first: Whether it is said before what is done first: "before you wave, open the fridge".
         hand_first: Whether it begins with the hand to use, which may be said of what follows it as well.
     """
