@@ -43,9 +43,8 @@ def _several(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
 
 def _one_of(nominal: Nominal, parts: Parts) -> Nominal | None:
     """One of the cups, the biggest of the two cups."""
-    if not nominal.plural:
-        return None
-    if nominal.ordinal in COUNTED_FROM and any(word.meaning == "a" for word in words(parts, "DET")):
+    a_part = nominal.ordinal in COUNTED_FROM and any(word.meaning == "a" for word in words(parts, "DET"))
+    if a_part or not nominal.plural:
         return None  # "a third of the cups"
     return replace(nominal, plural=False, determined=True)
 
