@@ -31,9 +31,8 @@ def _several(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     if number is not None and (count is None or number > 1):
         count = int(number)
     every_other = every and nominal.ordinal == "other" and not nominal.plural
-    if count is None or every_other or not (many or every or count == 1):
-        return None
-    if nominal.anaphoric and count == 1:
+    fits = not nominal.anaphoric if count == 1 else many or every
+    if count is None or every_other or not fits:
         return None
     if nominal.kind == "glasses" and count == "all":
         return WHICH_GLASSES

@@ -64,6 +64,8 @@ def _items(parts: Parts) -> Items | Trouble | None:
     """A list; what stands after no more than a comma may say again what stands before it."""
     each = tuple(part for part in parts if isinstance(part, Item))
     links = [part for part in parts if isinstance(part, Joined)]
+    if any(link.then and item.details for link, item in zip(links, each[1:], strict=True)):
+        return None  # "the cup, then the bottle to Ana": is the cup for her too?
     if len(each) > 1 and any(one.of.sort == "you" or one.of.is_bare_one for one in each):
         return None  # "take the cup, you left it there"; "a cup to Ana and one to Ben"
     both = len(each) == 2 and all(one.of.determined and not one.of.plural for one in each)

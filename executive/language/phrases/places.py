@@ -107,9 +107,8 @@ def _hand(parts: Parts) -> Hand | None:
     (side,) = words(parts, "LEFT_RIGHT")
     if any(mark.meaning != "," for mark in words(parts, "PAUSE")):
         return None
-    owned = any(word.meaning in ("your", "the") for word in words(parts, "DET"))
-    named = words(parts, "HAND") or owned or side.end - side.start > 1
-    return Hand(side.meaning) if named else None
+    named = words(parts, "HAND") or any(word.meaning in ("your", "the") for word in words(parts, "DET"))
+    return Hand(side.meaning) if named or side.end - side.start > 1 else None
 
 
 def _benefit(parts: Parts) -> Benefit | None:
