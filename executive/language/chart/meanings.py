@@ -30,8 +30,6 @@ from executive.language.phrases import (
     nominals,
     pairs,
     places,
-    quantities,
-    sharing,
 )
 from executive.language.phrases.values import Meaning
 
@@ -50,9 +48,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **pairs.MEANINGS,
         **places.MEANINGS,
         **placing.MEANINGS,
-        **quantities.MEANINGS,
         **sentences.MEANINGS,
-        **sharing.MEANINGS,
         **skilled.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,

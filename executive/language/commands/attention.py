@@ -18,7 +18,7 @@ from executive.language.phrases.arranging import (
     unfit,
 )
 from executive.language.phrases.features import SUPERLATIVES
-from executive.language.phrases.looked_for import looked_for
+from executive.language.phrases.handled_thing import looked_for
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
     Bundle,

@@ -20,7 +20,6 @@ from executive.language.phrases.arranging import (
     unfit,
 )
 from executive.language.phrases.lists import (
-    has_company,
     named_together,
     said_again,
     spoken,
@@ -165,8 +164,6 @@ def _walk(parts: Parts) -> Clause:
         raise trouble(f"to the {passed.kind}, or past it?", asks=True)
     reached = [part.of if isinstance(part, _By) else part for part in parts]
     goals = [part for part in reached if isinstance(part, (Nominal, Relative))]
-    if has_company(parts):
-        raise unfit()
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
         if again is not None:

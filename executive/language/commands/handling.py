@@ -31,7 +31,6 @@ from executive.language.phrases.handled_thing import (
     has_clear_place,
     only_for,
     thing,
-    with_it,
 )
 from executive.language.phrases.lists import spoken
 from executive.language.phrases.parts import Parts, words
@@ -236,20 +235,6 @@ def _bring(parts: Parts) -> Clause:
     return clause(parts, [_transport(one) for one in each])
 
 
-def _bring_it(parts: Parts) -> Clause:
-    if any(isinstance(part, Where) and part.of.is_place and part.relation for part in parts):
-        raise unfit()
-    if words(parts, "CARRY") and any(
-        isinstance(part, Where) and part.of.reference == "here" for part in parts
-    ):
-        raise unfit()
-    return _bring(with_it(parts))
-
-
-def _give_it(parts: Parts) -> Clause:
-    return _give(with_it(parts))
-
-
 def _bring_it_me(parts: Parts) -> Clause:
     """Bring me: what was taken before."""
     return clause(parts, [_transport(Arranged(IT, person=ME))])
@@ -373,10 +358,8 @@ _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "get_out": _get_out,
     "bring": _bring,
     "carry": _carry,
-    "bring_it": _bring_it,
     "bring_it_me": _bring_it_me,
     "give_it_me": _give_it_me,
-    "give_it": _give_it,
     "give": _give,
     "can_i_have": _can_i_have,
     "let_have": _let_have,

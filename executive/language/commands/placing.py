@@ -8,9 +8,8 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.language.phrases.arranging import Arranged, arranged, clause, guarded, trouble, unfit
-from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing, with_it
+from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
-from executive.language.phrases.opposite_sides import with_the_middle
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
     HARMS,
@@ -109,13 +108,13 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
 
 
 def _put(parts: Parts) -> Clause:
-    each = with_the_middle(arranged(parts, goes=True))
+    each = arranged(parts, goes=True)
     down = bool(words(parts, "DOWN")) or any("down" in part.said for part in parts if isinstance(part, Word))
     stays = any(word.said in _LEAVES for word in words(parts, "PUT"))
     bundles: list[Bundle] = []
     for one in each:
         nominal = thing(one, "putting down")
-        if one.is_for_another and not one.for_company:
+        if one.is_for_another:
             raise unfit()
         if one.goal is not None:
             bundles.append((put_draft(nominal, one.goal, one.source, one.hand),))
@@ -255,16 +254,6 @@ def _drop(parts: Parts) -> Clause:
     raise trouble("where shall it be put?", asks=True)
 
 
-def _put_it(parts: Parts) -> Clause:
-    """Put what was named before; "put on" something that nobody can wear says where, as "place on" does."""
-    goals = [part.of for part in parts if isinstance(part, Where)]
-    verb = words(parts, "PUT")[0].said
-    worn = not goals or any(not one.is_place for one in goals)
-    if verb not in _PLACING and (verb not in ("put", "putting") or worn):
-        raise unfit()
-    return _put(with_it(parts))
-
-
 def _stays_so(parts: Parts) -> Clause:
     """Leave the door open."""
     words_said = words(parts, "LEAVE_SO", "OPENED", "CLOSED")
@@ -348,7 +337,6 @@ def _push(parts: Parts) -> Clause:
 
 _COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
     "put": _put,
-    "put_it": _put_it,
     "put_where": _put_where,
     "put_with_others": _put_with_others,
     "drop_off": _drop_off,

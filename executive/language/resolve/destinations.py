@@ -141,6 +141,7 @@ class Destinations(Antecedents):
             material=nominal.material,
             ordinal=nominal.ordinal,
             relation=resolved,
+            traits=nominal.traits,
         )
 
     def _there_relation(self, thing: Nominal) -> Relative:

@@ -24,8 +24,6 @@ from executive.understanding.conversation import Conversation
         ("The cup and the bowl.", "what shall be done with the cup and the bowl?"),
         ("Coffee, please!", "what shall be done with the coffee?"),
         ("Put it with the others.", "what do 'it' and 'the others' stand for?"),
-        ("Place the selected object on the shelf.", "which object is meant by 'selected'?"),
-        ("bring me the requested book", "which book is meant by 'requested'?"),
     ],
 )
 def test_what_is_missing_is_asked_for(said, text):
