@@ -19,3 +19,8 @@ def words(parts: Iterable[Any], *classes: str) -> list[Word]:
 def nominal_of(parts: Parts) -> Nominal | None:
     """The noun among the parts."""
     return next((part for part in reversed(parts) if isinstance(part, Nominal)), None)
+
+
+def senses(parts: Iterable[Any], *classes: str) -> set[str]:
+    """Which of the meanings that some word classes tell apart is there, without the form of a verb."""
+    return {word.meaning.partition(":")[0] for word in words(parts, *classes)}
