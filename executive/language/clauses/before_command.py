@@ -105,13 +105,19 @@ def _clause(parts: Parts) -> Clause | None:
 _BRIEF = frozenset({"pick", "hand_over", "look_at", "point_at", "find", "count", "describe"})
 
 
+def _is_brief(one: Draft, said: str) -> bool:
+    """Whether it takes but a moment; what is lent to somebody has a duration."""
+    to_me = one.get("to") == ME
+    if one.action == "walk_to":
+        return to_me and said != "hurry"
+    return one.action in _BRIEF and said != "while" and (to_me or one.action != "hand_over")
+
+
 def _briefly(parts: Parts) -> Clause | None:
     """A command that is only said to be a short one: "come here for a sec"."""
     *said, moment = parts
     drafts = [one for bundle in said[-1].bundles for one in bundle]
-    comes = moment.meaning == "moment" and all(one.get("to") == ME for one in drafts)
-    brief = all(one.action in _BRIEF for one in drafts)
-    return _clause(tuple(said)) if comes or brief else None
+    return _clause(tuple(said)) if all(_is_brief(one, moment.meaning) for one in drafts) else None
 
 
 def _minding(parts: Parts) -> Clause | None:

@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
-from executive.language.commands import word_lists
+from executive.language.commands import meanings, word_lists
 from executive.language.commands.going import target
 from executive.language.phrases.arranging import (
     TroubleError,
     arranged,
     clause,
     found_there,
-    guarded,
     trouble,
     unfit,
 )
-from executive.language.phrases.features import SUPERLATIVES
+from executive.language.phrases.features import SUPERLATIVES, described
 from executive.language.phrases.looked_for import looked_for
-from executive.language.phrases.parts import Parts, senses, words
+from executive.language.phrases.parts import Parts, nominal_of, senses, words
 from executive.language.phrases.values import (
+    SEATS,
     Clause,
     Draft,
     Item,
     Items,
-    Meaning,
     Nominal,
     Where,
     draft,
@@ -41,16 +38,14 @@ def _no_postures(parts: Parts, action: str) -> None:
     """Refuse to count people, or to look for somebody, by how they are in a room or on the floor.
 
     Raises:
-        TroubleError: It is said; on a sofa they sit, and next to a door they are, however it is.
+        TroubleError: It is said; on a sofa they sit, and at a door they are, however it is.
     """
-    items = [item for part in parts if isinstance(part, Items) for item in part.each]
-    loose = [part for part in parts if isinstance(part, Where)]
-    for item in items:
-        for where in (*item.details, *(loose if item is items[-1] else ())):
-            told = isinstance(where, Where) and where.posture and item.of.is_person
-            if told and (where.of.sort == "room" or where.of.kind == "floor"):
-                posture = where.posture
-                raise trouble(f"to {action} people by how they are ({posture!r}) is no skill yet", posture)
+    items = [item for part in parts if isinstance(part, Items) for item in part.each if item.of.is_person]
+    details = [*parts, *(detail for item in items for detail in item.details)]
+    for one in details if items else ():
+        if isinstance(one, Where) and one.posture and one.preposition != "at" and one.of.kind not in SEATS:
+            told = f"to {action} people by how they are ({one.posture!r}) is no skill yet"
+            raise trouble(told, one.posture)
 
 
 def _asked(
@@ -100,8 +95,15 @@ def _there(drafts: list[Draft], parts: Parts, *classes: str) -> list[Draft]:
     return [one.with_slot("there_are", there) for one in drafts]
 
 
+_QUESTIONS = (
+    *("WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"),
+)
+
+
 def _alone(drafts: list[Draft], parts: Parts) -> Clause:
-    return clause(parts, [(one,) for one in drafts])
+    """Each by itself, with a mark whether it begins as a question does."""
+    asks = bool(words(parts[:1], *_QUESTIONS))
+    return replace(clause(parts, [(one,) for one in drafts]), question=asks)
 
 
 def _find(parts: Parts) -> Clause:
@@ -127,9 +129,8 @@ def _whether(parts: Parts) -> Clause:
     """Is the cup on the table? What is seen tells it, but of several not whether all of them are there."""
     details = tuple(part for part in parts if isinstance(part, Where))
     each = [Item(part, details) for part in parts if isinstance(part, Nominal)]
-    found = _find((*words(parts, "LEFT_OVER"), *(part for part in parts if isinstance(part, Items))))
-    if each:
-        found = _find((Items(tuple(each)),))
+    items = [Items(tuple(each))] if each else [part for part in parts if isinstance(part, Items)]
+    found = _find((*words(parts, "IS_IT", "LEFT_OVER"), *items))
     if any(one.get("count") is not None for bundle in found.bundles for one in bundle):
         raise trouble("which one of them? whether all are there is not told", asks=True)
     return found
@@ -165,6 +166,15 @@ def _count(parts: Parts) -> Clause:
     return _alone(_there(counted, parts, "THERE_ARE", "LEFT_OVER"), parts)
 
 
+def _count_such(parts: Parts) -> Clause:
+    """How many people in the kitchen are wearing red jackets?"""
+    of = described(nominal_of(parts), parts)
+    if not isinstance(of, Nominal):
+        raise unfit() if of is None else TroubleError(of)
+    details = tuple(part for part in parts if isinstance(part, Where))
+    return _count((*words(parts, "TELL_ME", "HOW_MANY"), Items((Item(of, details),))))
+
+
 def _describe_scene(parts: Parts) -> Clause:
     loose = tuple(_what_is_inside(part) for part in parts if not isinstance(part, Word))
     (one,) = arranged((Item(Nominal("any", plural=True), loose),))
@@ -172,7 +182,7 @@ def _describe_scene(parts: Parts) -> Clause:
         raise unfit()
     everything = one.object.relation is None or _is_before_the_robot(one.object)
     thing = None if everything else one.object
-    return clause(parts, [(draft("describe", object=thing, source=one.source),)])
+    return _alone([draft("describe", object=thing, source=one.source)], parts)
 
 
 def _what_is_inside(part: Any) -> Any:
@@ -216,33 +226,16 @@ def _describe_superlative(parts: Parts) -> Clause:
     return _describe(parts)
 
 
-_QUESTIONS = frozenset(
-    {"WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"}
-)
-
-
-def _asking(meaning: Callable[[Parts], Clause]) -> Callable[[Parts], Clause]:
-    """With a mark whether it begins as a question does."""
-
-    def run(parts: Parts) -> Clause:
-        first = parts[0]
-        asks = isinstance(first, Word) and first.word_class in _QUESTIONS
-        return replace(meaning(parts), question=asks)
-
-    return run
-
-
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "find": _asking(_find),
-    "find_for_me": _find_for_me,
-    "whether": _asking(_whether),
-    "search": _search,
-    "count": _asking(_count),
-    "describe_scene": _asking(_describe_scene),
-    "describe": _asking(_describe),
-    "describe_superlative": _asking(_describe_superlative),
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "find": _find,
+        "find_for_me": _find_for_me,
+        "whether": _whether,
+        "search": _search,
+        "count": _count,
+        "count_such": _count_such,
+        "describe_scene": _describe_scene,
+        "describe": _describe,
+        "describe_superlative": _describe_superlative,
+    }
 )

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 from typing import Any
 
+from executive.language.commands import meanings
 from executive.language.commands.going import target
-from executive.language.phrases.arranging import clause, guarded, trouble, unfit
+from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.handled_thing import IT
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Clause, Hand, Item, Items, Meaning, Nominal, draft
+from executive.language.phrases.values import Clause, Hand, Item, Items, Nominal, draft
 
 
 def _each(parts: Parts) -> list[tuple[Nominal, str | None]]:
@@ -85,13 +85,11 @@ def _look_inside(parts: Parts) -> Clause:
     return clause(parts, [(draft("look_at", object=IT, inside=True),)])
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "wave": _wave,
-    "point": _point,
-    "look": _look,
-    "look_inside": _look_inside,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "wave": _wave,
+        "point": _point,
+        "look": _look,
+        "look_inside": _look_inside,
+    }
 )

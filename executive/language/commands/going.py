@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
-from typing import Any
 
-from executive.language.commands import word_lists
+from executive.language.commands import meanings, word_lists
 from executive.language.commands.moving import bounded
-from executive.language.phrases.arranging import ME, arranged, clause, guarded, trouble, unfit
+from executive.language.phrases.arranging import ME, arranged, clause, trouble, unfit
 from executive.language.phrases.lists import has_company, named_together, said_again, spoken
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import (
     Clause,
     Item,
-    Meaning,
     Measure,
     Nominal,
     Relative,
@@ -54,10 +50,10 @@ def _standing(goal: Nominal) -> Nominal:
 def _toward(parts: Parts) -> Nominal:
     """Where to; into something that is no room would be a collision."""
     goal = _standing(target(parts[-1]))
-    links = words(parts, "TO_ALSO", "IN")
+    links = words(parts, "TO_ALSO", "TO", "IN", "INTO")
     if links and goal.kind in word_lists()["beds"] and not goal.determined:
         raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)
-    if "in" in senses(parts, "TO_ALSO", "IN") and goal.sort not in ("room", "any"):
+    if "in" in senses(links, "TO_ALSO", "IN", "INTO") and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} {spoken(goal)} is no skill of this robot", links[0].said)
     return goal
 
@@ -142,21 +138,19 @@ def _revoke(parts: Parts) -> Clause:
     return replace(_stop(parts), revokes=words(parts, "REVOKE")[0].said)
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "toward": _toward,
-    "toward_relation": _toward_relation,
-    "walk": _walk,
-    "walk_bare": _walk_bare,
-    "approach": _approach,
-    "come": _come,
-    "go_there": _go_there,
-    "wait": _wait,
-    "waiting_at": _waiting_at,
-    "go_home": _go_home,
-    "stop": _stop,
-    "revoke": _revoke,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "toward": _toward,
+        "toward_relation": _toward_relation,
+        "walk": _walk,
+        "walk_bare": _walk_bare,
+        "approach": _approach,
+        "come": _come,
+        "go_there": _go_there,
+        "wait": _wait,
+        "waiting_at": _waiting_at,
+        "go_home": _go_home,
+        "stop": _stop,
+        "revoke": _revoke,
+    }
 )

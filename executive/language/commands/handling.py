@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from types import MappingProxyType
-from typing import Any
+from collections.abc import Iterator
 
+from executive.language.commands import meanings
 from executive.language.commands.placing import put_draft
 from executive.language.phrases.arranging import (
     ME,
@@ -13,7 +12,6 @@ from executive.language.phrases.arranging import (
     arranged,
     clause,
     found_there,
-    guarded,
     trouble,
     unfit,
 )
@@ -30,7 +28,7 @@ from executive.language.phrases.handled_thing import (
 )
 from executive.language.phrases.lists import spoken
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Bundle, Clause, Draft, Items, Meaning, Nominal, Where, draft
+from executive.language.phrases.values import Bundle, Clause, Draft, Items, Nominal, Where, draft
 
 
 def picked(one: Arranged, *, fetched: bool = False) -> Draft:
@@ -50,7 +48,7 @@ def _pick(parts: Parts) -> Clause:
     how = senses(parts, "PICK", "OUT")
     if "off" in how:
         raise trouble("off what?", asks=True)  # "take the cup off"
-    if "collect" in how and any(one.role == "either" for one in _places(parts)):
+    if "collect" in how and any(_may_go_into(one) for one in _places(parts)):
         raise unfit()  # "collect the toys in the box": are they in it?
     bundles = []
     for one in arranged(parts):
@@ -61,6 +59,10 @@ def _pick(parts: Parts) -> Clause:
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
         bundles.append((picked(one).with_slot("out", "out" in how or None),))
     return clause(parts, bundles)
+
+
+def _may_go_into(one: Where) -> bool:
+    return (one.role, one.preposition) == ("either", "in") and one.of.sort != "room"
 
 
 def _places(parts: Parts) -> Iterator[Where]:
@@ -185,17 +187,15 @@ def _wants(parts: Parts) -> Clause:
     raise trouble(f"shall it be brought to {'you' if who.sort == 'me' else spoken(who)}?", asks=True)
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "pick": _pick,
-    "fetch": _fetch,
-    "bring": _bring,
-    "carry": _bring,
-    "give": _give,
-    "can_i_have": _can_i_have,
-    "want": _wants,
-    "wants_for": _wants,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "pick": _pick,
+        "fetch": _fetch,
+        "bring": _bring,
+        "carry": _bring,
+        "give": _give,
+        "can_i_have": _can_i_have,
+        "want": _wants,
+        "wants_for": _wants,
+    }
 )

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
-from typing import Any
 
-from executive.language.phrases.arranging import TroubleError, clause, guarded, trouble, unfit
+from executive.language.commands import meanings
+from executive.language.phrases.arranging import TroubleError, clause, trouble, unfit
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import EXCEEDS, Clause, Meaning, Measure, Trouble, draft
+from executive.language.phrases.values import EXCEEDS, Clause, Measure, Trouble, draft
 
 FORWARD_M_S = 0.3
 """Speed of ``move_forward``; backward is its negative."""
@@ -123,12 +122,10 @@ def _turn_around(parts: Parts) -> Clause:
     return clause(parts, [(draft("move", linear_m_s=0.0, angular_rad_s=TURN_RAD_S, duration_s=duration_s),)])
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "move": _move,
-    "move_on": _move_on,
-    "turn_around": _turn_around,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "move": _move,
+        "move_on": _move_on,
+        "turn_around": _turn_around,
+    }
 )

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
-from executive.language.commands import word_lists
-from executive.language.phrases.arranging import Arranged, arranged, clause, guarded, trouble, unfit
+from executive.language.commands import meanings, word_lists
+from executive.language.phrases.arranging import Arranged, arranged, clause, trouble, unfit
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Clause, Draft, Meaning, Nominal, Relative, Where, draft
+from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Where, draft
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 
@@ -184,16 +183,14 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
     return meaning
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "put": _put,
-    "put_into": _put_in,
-    "move_thing": _move_thing,
-    "drop": _drop,
-    "discard": _discard,
-    "open": _opened("open"),
-    "close": _opened("close"),
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "put": _put,
+        "put_into": _put_in,
+        "move_thing": _move_thing,
+        "drop": _drop,
+        "discard": _discard,
+        "open": _opened("open"),
+        "close": _opened("close"),
+    }
 )

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
+from executive.language.commands import meanings
 from executive.language.commands.going import target
-from executive.language.phrases.arranging import guarded
 from executive.language.phrases.features import described
-from executive.language.phrases.values import Item, Meaning, Nominal, Trouble, Where
+from executive.language.phrases.values import Item, Nominal, Trouble, Where
 from executive.language.resolve.references import Resolver, UnresolvedError
 from trees.tasks import ObjectDescription
 
@@ -49,4 +47,4 @@ def description_of(selection: Selection) -> ObjectDescription | None:
     return described if isinstance(described, ObjectDescription) else None
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType({"selection": guarded(_selection)})
+MEANINGS = meanings({"selection": _selection})

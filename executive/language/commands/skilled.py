@@ -8,21 +8,20 @@ where that is fills ``source``. A meaning is the action of a skill, and behind i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import fields, replace
-from types import MappingProxyType
 from typing import Any
 
+from executive.language.commands import meanings
 from executive.language.commands.gestures import somebody
 from executive.language.commands.going import target
-from executive.language.phrases.arranging import clause, guarded, trouble, unfit
+from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
     Bundle,
     Clause,
     Item,
     Items,
-    Meaning,
     Nominal,
     Relative,
     Where,
@@ -43,7 +42,9 @@ def _skilled(parts: Parts) -> Clause:
     to = next((part for part in parts if isinstance(part, (Nominal, Relative))), None)
     if len(items) > 1 and "to" in known:
         raise trouble("several at once: name one", verb.said)
-    if verb.word_class == "SKILL_TO" and to is None and all(item.of.is_person for item in items):
+    if verb.word_class == "SKILL_TO" and not all(item.of.is_person or item.of.reference for item in items):
+        raise unfit()
+    if verb.word_class == "SKILL_TO" and to is None:
         raise trouble("where to?", asks=True)
     bundles: list[Bundle] = []
     for item in items or (None,):
@@ -51,7 +52,7 @@ def _skilled(parts: Parts) -> Clause:
         if item is not None:
             of, slots["source"] = _aimed(item)
             person = of.is_person or (of.reference == "them" and "person" in known)
-            slots["person" if person else "to" if of.is_place else "object"] = of
+            slots["person" if person else "to" if of.is_place and "person" not in known else "object"] = of
         slots |= {} if to is None else {"to": to}
         _check(verb, known, slots)
         bundles.append((draft(action, **slots),))
@@ -107,12 +108,10 @@ def _listener(parts: Parts) -> Nominal | None:
     return somebody(person, "telling")
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "skilled": _skilled,
-    "answer": _answer,
-    "tell": _tell,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "skilled": _skilled,
+        "answer": _answer,
+        "tell": _tell,
+    }
 )

@@ -7,16 +7,15 @@ whole statements are taken; everything else is asked about.
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import Any
 
-from executive.language.commands import word_lists
-from executive.language.phrases.arranging import ME, clause, guarded, trouble, unfit
+from executive.language.commands import meanings, word_lists
+from executive.language.phrases.arranging import ME, clause, trouble, unfit
+from executive.language.phrases.lists import Joined
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Clause, Meaning, Nominal, draft
+from executive.language.phrases.values import Clause, Nominal, draft
 from executive.language.resolve.discourse import is_them
 from executive.language.text.free_text import TIME
 from executive.language.text.word import Word
@@ -28,9 +27,6 @@ _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 
 _SENTENCES = re.compile(r"[.;!?]\s")
 """The end of a sentence after which another begins, which may be said to whoever is commanded."""
-
-_TOLD = re.compile(r"(?:\w+ ){1,2}(?!s\b)\w+(?:s|ed)\b")
-"""A subject and a verb of any kind, as behind "that": "that the doctor comes at five"."""
 
 
 def _words(parts: Parts) -> Word:
@@ -48,12 +44,19 @@ def _is_greeting(text: str) -> bool:
 
 def _is_stated(lowered: str) -> bool:
     """Whether there is a subject and a verb: somebody is told something."""
-    lists, said = word_lists(), re.findall(r"[\w']+", lowered)
-    contracted = any(
-        one.endswith("'s") and after in lists["states_of_things"]
-        for one, after in zip(said, said[1:], strict=False)
+    lists, said = word_lists(), re.findall(r"[\w']+", lowered.partition(",")[0])
+    if not said or said[0] in lists["stated"] or not lists["states"].isdisjoint(said[1:]):
+        return bool(said)
+    return any(
+        one.endswith("'s") and after in lists["states_of_things"] for one, after in itertools.pairwise(said)
     )
-    return contracted or not lists["stated"].isdisjoint(said) or not lists["states"].isdisjoint(said[1:])
+
+
+def _is_told(lowered: str) -> bool:
+    """Whether it begins with a subject and any verb, as behind "that": "the doctor comes at five"."""
+    first, *rest = re.findall(r"[\w']+", lowered)
+    verb = rest[first in word_lists()["determiners"] :][:1]
+    return any(one.endswith(("s", "ed")) and not one.endswith("'s") for one in verb)
 
 
 def _begins(lowered: str, phrases: str) -> bool:
@@ -86,7 +89,7 @@ def _speech(parts: Parts) -> str:
         or (word.said and not (greeting and word.said == TIME))
         or _is_around(lowered)
         or (not greeting and _begins(lowered, "begins_order"))
-        or not (greeting or stated or (that and _TOLD.match(lowered)))
+        or not (greeting or stated or (that and _is_told(lowered)))
     ):
         raise trouble(UNQUOTED, asks=True)
     return text
@@ -105,6 +108,8 @@ class _Told:
 
 
 def _people_told(parts: Parts) -> _Told | None:
+    if any(part.commas for part in parts if isinstance(part, Joined)):
+        return None  # after no more than a comma, who follows may be whom the words are about
     people = tuple(part for part in parts if isinstance(part, Nominal))
     named = all(one.is_person and one.is_single and not one.reference and one.sort != "me" for one in people)
     return _Told(people) if named and len(set(people)) == len(people) > 1 else None
@@ -134,13 +139,11 @@ def _say_done(parts: Parts) -> Clause:
     return clause(parts, [(draft("say", text=said.meaning, person=person, reports="when"),)])
 
 
-_COMMANDS: Mapping[str, Callable[[Parts], Any]] = {
-    "words": _words,
-    "say": _say,
-    "say_done": _say_done,
-    "people_told": _people_told,
-}
-
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {name: guarded(meaning) for name, meaning in _COMMANDS.items()}
+MEANINGS = meanings(
+    {
+        "words": _words,
+        "say": _say,
+        "say_done": _say_done,
+        "people_told": _people_told,
+    }
 )
