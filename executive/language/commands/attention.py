@@ -15,11 +15,10 @@ from executive.language.phrases.arranging import (
     trouble,
     unfit,
 )
-from executive.language.phrases.features import SUPERLATIVES, described
+from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.looked_for import looked_for
-from executive.language.phrases.parts import Parts, nominal_of, senses, words
+from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import (
-    SEATS,
     Clause,
     Draft,
     Item,
@@ -31,21 +30,6 @@ from executive.language.phrases.values import (
     wears,
 )
 from executive.language.text.word import Word
-from executive.vocabulary.inflection import plural
-
-
-def _no_postures(parts: Parts, action: str) -> None:
-    """Refuse to count people, or to look for somebody, by how they are in a room or on the floor.
-
-    Raises:
-        TroubleError: It is said; on a sofa they sit, and at a door they are, however it is.
-    """
-    items = [item for part in parts if isinstance(part, Items) for item in part.each if item.of.is_person]
-    details = [*parts, *(detail for item in items for detail in item.details)]
-    for one in details if items else ():
-        if isinstance(one, Where) and one.posture and one.preposition != "at" and one.of.kind not in SEATS:
-            told = f"to {action} people by how they are ({one.posture!r}) is no skill yet"
-            raise trouble(told, one.posture)
 
 
 def _asked(
@@ -53,7 +37,6 @@ def _asked(
 ) -> list[Draft]:
     """What is asked about; ``existing`` is whether there is any such thing, be it one or several."""
     drafts: list[Draft] = []
-    _no_postures(parts, action)
     for one in map(found_there, arranged(parts)):
         nominal = one.object
         if one.is_handled or (source is not None and one.source is not None):
@@ -78,8 +61,7 @@ def _asked(
             raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
         several = nominal.plural and nominal.determined and not nominal.reference
         if several and action == "describe" and not _is_all_there(nominal):
-            message = f"which one of the {plural(nominal.kind or 'thing')}? {action} is for one"
-            raise trouble(message, asks=True, rivals=True)
+            raise trouble("which one of them shall be described?", asks=True, rivals=True)
         drafts.append(draft(action, object=replace(nominal, count=1), source=place))
     return drafts
 
@@ -89,34 +71,26 @@ def _is_nothing_named(nominal: Nominal) -> bool:
     return nominal.sort == "any" and nominal.kind is None and not nominal.reference and nominal.is_plain
 
 
-def _there(drafts: list[Draft], parts: Parts, *classes: str) -> list[Draft]:
-    """With a mark that it is asked what is "there", which may be the place that was named before."""
-    there = "there" in senses(parts, *classes) or None
-    return [one.with_slot("there_are", there) for one in drafts]
-
-
 _QUESTIONS = (
     *("WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"),
 )
 
 
-def _alone(drafts: list[Draft], parts: Parts) -> Clause:
+def _alone(drafts: list[Draft], parts: Parts, there: bool | str = False) -> Clause:
     """Each by itself, with a mark whether it begins as a question does."""
     asks = bool(words(parts[:1], *_QUESTIONS))
-    return replace(clause(parts, [(one,) for one in drafts]), question=asks)
+    each = [(one.with_slot("there_are", there or None),) for one in drafts]
+    return replace(clause(parts, each), question=asks)
 
 
 def _find(parts: Parts) -> Clause:
-    if "show" in senses(parts, "TELL_ME") and words(parts, "WHERE"):
-        raise unfit()  # which is to point at it
-    items = [item for part in parts if isinstance(part, Items) for item in part.each]
-    nameless = any(item.of.kind is None and not item.of.reference for item in items)
-    if "identify" in senses(parts, "FIND") and nameless:
-        raise unfit()  # "identify the object on the table": what is it?
     found = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
-    if words(parts, "IF_THERE"):
-        return _alone([one.with_slot("there_are", "opened") for one in found], parts)
-    return _alone(_there(found, parts, "IS_THERE", "LEFT_OVER"), parts)
+    return _alone(found, parts, "opened" if words(parts, "IF_THERE") else _there(parts))
+
+
+def _there(parts: Parts) -> bool:
+    """Whether it is asked what is "there", which may be the place that was named before."""
+    return "there" in senses(parts, "IS_THERE", "THERE_ARE", "LEFT_OVER")
 
 
 def _find_for_me(parts: Parts) -> Clause:
@@ -163,16 +137,7 @@ def _count(parts: Parts) -> Clause:
             nominal.plural or nominal.paired or nominal.kind in collective
         ):
             raise unfit()
-    return _alone(_there(counted, parts, "THERE_ARE", "LEFT_OVER"), parts)
-
-
-def _count_such(parts: Parts) -> Clause:
-    """How many people in the kitchen are wearing red jackets?"""
-    of = described(nominal_of(parts), parts)
-    if not isinstance(of, Nominal):
-        raise unfit() if of is None else TroubleError(of)
-    details = tuple(part for part in parts if isinstance(part, Where))
-    return _count((*words(parts, "TELL_ME", "HOW_MANY"), Items((Item(of, details),))))
+    return _alone(counted, parts, _there(parts))
 
 
 def _describe_scene(parts: Parts) -> Clause:
@@ -193,10 +158,11 @@ def _what_is_inside(part: Any) -> Any:
 
 def _describe(parts: Parts) -> Clause:
     described = []
+    ranked = words(parts, "SUPERLATIVE_WHAT", "WHICH_ONE")
     for one in _asked(parts, "describe"):
         nominal = one.get("object")
-        if nominal.kind is not None and "identify" in senses(parts, "DESCRIBE"):
-            raise unfit()  # which is to find it
+        if ranked and nominal.size not in SUPERLATIVES and not nominal.ordinal:
+            raise unfit()
         if nominal.is_person:
             told = "describing somebody is no skill of this robot yet: it tells the name, pose or gesture"
             raise trouble(told, nominal.kind)
@@ -219,13 +185,6 @@ def _is_before_the_robot(nominal: Nominal) -> bool:
     return relation is not None and relation.kind == "in_front_of" and relation.to.sort == "you"
 
 
-def _describe_superlative(parts: Parts) -> Clause:
-    item = next((part for part in parts if isinstance(part, Item)), None)
-    if item is None or (item.of.size not in SUPERLATIVES and not item.of.ordinal):
-        raise unfit()
-    return _describe(parts)
-
-
 MEANINGS = meanings(
     {
         "find": _find,
@@ -233,9 +192,7 @@ MEANINGS = meanings(
         "whether": _whether,
         "search": _search,
         "count": _count,
-        "count_such": _count_such,
         "describe_scene": _describe_scene,
         "describe": _describe,
-        "describe_superlative": _describe_superlative,
     }
 )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from executive.language.commands import meanings
 from executive.language.commands.placing import put_draft
 from executive.language.phrases.arranging import (
@@ -28,7 +26,7 @@ from executive.language.phrases.handled_thing import (
 )
 from executive.language.phrases.lists import spoken
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Bundle, Clause, Draft, Items, Nominal, Where, draft
+from executive.language.phrases.values import Bundle, Clause, Draft, Nominal, draft
 
 
 def picked(one: Arranged, *, fetched: bool = False) -> Draft:
@@ -48,8 +46,6 @@ def _pick(parts: Parts) -> Clause:
     how = senses(parts, "PICK", "OUT")
     if "off" in how:
         raise trouble("off what?", asks=True)  # "take the cup off"
-    if "collect" in how and any(_may_go_into(one) for one in _places(parts)):
-        raise unfit()  # "collect the toys in the box": are they in it?
     bundles = []
     for one in arranged(parts):
         one = one if one.object.reference else found_there(one)
@@ -59,17 +55,6 @@ def _pick(parts: Parts) -> Clause:
             raise trouble(f"picking up for {one.person.kind}: say to whom it shall be given", one.person.kind)
         bundles.append((picked(one).with_slot("out", "out" in how or None),))
     return clause(parts, bundles)
-
-
-def _may_go_into(one: Where) -> bool:
-    return (one.role, one.preposition) == ("either", "in") and one.of.sort != "room"
-
-
-def _places(parts: Parts) -> Iterator[Where]:
-    """Every place that is said of a thing."""
-    each = [item for part in parts if isinstance(part, Items) for item in part.each]
-    said = (*parts, *(detail for item in each for detail in item.details))
-    return (one for one in said if isinstance(one, Where))
 
 
 def _fetch(parts: Parts) -> Clause:

@@ -39,14 +39,9 @@ class ExceededError(TroubleError):
 
 
 def bounded(measure: Measure, longest: float | None = None) -> float:
-    """The value, if it is within the limits: what exceeds them is refused, never clamped.
+    """The value in SI units, if it is within the limits: what exceeds them is refused, never clamped.
 
-    Args:
-        measure: In SI units.
-        longest: Another limit than that for motions.
-
-    Raises:
-        TroubleError: It is zero or negative, or exceeds the limit.
+    ``longest`` is another limit than that for motions.
     """
     name, unit, limit = _LIMITS[measure.of]
     limit = longest or limit

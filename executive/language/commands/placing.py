@@ -79,7 +79,7 @@ def _put(parts: Parts) -> Clause:
     bundles = []
     for one in arranged(parts, goes=True):
         nominal = thing(one, "putting down")
-        if one.is_for_another and not one.for_company:
+        if one.is_for_another:
             raise unfit()
         if one.goal is not None:
             put = put_draft(nominal, one.goal, one.source, one.hand)
@@ -96,20 +96,6 @@ def _put(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
-def _put_in(parts: Parts) -> Clause:
-    """Into something; what is thrown goes into the bin, and nowhere else."""
-    verb = words(parts, "PUT_IN")[0]
-    bundles = []
-    for one in arranged(parts, goes=True):
-        goal = one.goal
-        if goal is None or goal.preposition != "in" or goal.of.sort == "room":
-            raise unfit()
-        if "throw" in senses(parts, "PUT_IN") and goal.of.kind != BIN.kind:
-            raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
-        bundles.append((put_draft(thing(one, "throwing"), goal, one.source, one.hand),))
-    return clause(parts, bundles)
-
-
 def _discard(parts: Parts) -> Clause:
     """What is thrown away goes into the bin."""
     bundles = []
@@ -123,12 +109,17 @@ def _discard(parts: Parts) -> Clause:
 
 
 def _move_thing(parts: Parts) -> Clause:
-    """Things that go from where they are to somewhere else, which is said to be where they go."""
-    bundles = []
+    """Things that go from where they are to somewhere else; what is thrown goes into the bin alone."""
+    verb = words(parts, "PUT_IN", "MOVE_THING")[0]
+    into, bundles = verb.word_class == "PUT_IN", []
     for one in arranged(parts, goes=True):
         goal = one.goal
-        if goal is None or (goal.role == "either" and goal.relation is None and not goal.atop):
+        if goal is None or (into and (goal.preposition != "in" or goal.of.sort == "room")):
             raise unfit()
+        if not into and goal.role == "either" and goal.relation is None and not goal.atop:
+            raise unfit()
+        if "throw" in senses(parts, "PUT_IN") and goal.of.kind != BIN.kind:
+            raise trouble(f"{verb.said!r}: throwing is no skill of this robot yet", verb.said)
         bundles.append((put_draft(thing(one, "moving"), goal, one.source, one.hand),))
     return clause(parts, bundles)
 
@@ -151,13 +142,6 @@ def _door_to_a_room(one: Arranged) -> Arranged:
     return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
 
 
-def _is_behind_somebody(nominal: Nominal) -> bool:
-    """Whether it may be the door that was just walked through: "the door behind you"."""
-    relation = nominal.relation
-    behind = nominal.sort == "door" and relation is not None and relation.kind == "behind"
-    return behind and relation is not None and (relation.to.sort == "you" or relation.to.is_person)
-
-
 def _opened(action: str) -> Callable[[Parts], Clause]:
     def meaning(parts: Parts) -> Clause:
         each = [_door_to_a_room(one) for one in arranged(parts, has_source=False)]
@@ -167,8 +151,10 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
             named.append(nominal)
             if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
                 raise unfit()
-            if nominal.reference == "this" or _is_behind_somebody(nominal):
-                raise trouble("which one is meant?", asks=True)
+            where = nominal.relation
+            behind = where is not None and where.kind == "behind" and not where.to.is_place
+            if nominal.reference == "this" or behind:
+                raise trouble("which one is meant?", asks=True)  # "the door behind you"
             if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
                 raise trouble(one_at_a_time(action), nominal.kind)
             told = nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain
@@ -186,7 +172,7 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
 MEANINGS = meanings(
     {
         "put": _put,
-        "put_into": _put_in,
+        "put_into": _move_thing,
         "move_thing": _move_thing,
         "drop": _drop,
         "discard": _discard,

@@ -70,10 +70,6 @@ def _speech(parts: Parts) -> str:
         raise unfit()
     if word.word_class == "QUOTED":
         return text
-    if any(mark.meaning == ":" for mark in words(parts, "PAUSE")) and not word.said:
-        if _UNSPOKEN.search(text) or _is_around(text.lower()):
-            raise trouble(UNQUOTED, asks=True)
-        return text
     lowered = text.lower()
     that = bool(words(parts, "THAT")) or "that" in senses(parts, "SAY")
     greeting, stated = _is_greeting(text), _is_stated(lowered)

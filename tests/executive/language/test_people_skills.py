@@ -123,10 +123,3 @@ def test_what_is_turned_to_is_looked_at(sentence):
 
 def test_what_is_thrown_into_the_trash_is_put_there():
     assert tasks_of("take the can and throw it in the trash")[-1]["action"] == "put_in"
-
-
-def test_things_are_counted_by_what_is_said_behind_how_many():
-    counted = {"action": "count", "object": {"kind": "cup", "color": "red"}, "from": "table"}
-
-    assert tasks_of("how many cups on the table are red?") == [counted]
-    assert tasks_of("tell me how many cups are red") == [{"action": "count", "object": counted["object"]}]
