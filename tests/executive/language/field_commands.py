@@ -164,7 +164,9 @@ class Drawn:
         person, room = self._one(NAMES), self._one(ROOMS)
         return [
             (f"{self._one(GO)} the {room}", (("walk_to", room),)),
-            (f"{self._one(('greet', 'wave to'))} {person}", (("wave", person),)),
+            self._random.choice(
+                ((f"greet {person}", (("greet", person),)), (f"wave to {person}", (("wave", person),)))
+            ),
         ]
 
     def _people_counted(self) -> list[Part]:
