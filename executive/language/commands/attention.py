@@ -71,9 +71,7 @@ def _is_nothing_named(nominal: Nominal) -> bool:
     return nominal.sort == "any" and nominal.kind is None and not nominal.reference and nominal.is_plain
 
 
-_QUESTIONS = (
-    *("WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT"),
-)
+_QUESTIONS = ("WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT")
 
 
 def _alone(drafts: list[Draft], parts: Parts, there: bool | str = False) -> Clause:

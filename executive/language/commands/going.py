@@ -8,7 +8,7 @@ from dataclasses import replace
 from executive.language.commands import meanings, word_lists
 from executive.language.commands.moving import bounded
 from executive.language.phrases.arranging import ME, arranged, clause, trouble, unfit
-from executive.language.phrases.lists import has_company, named_together, said_again, spoken
+from executive.language.phrases.lists import named_together, said_again, spoken
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import (
     Clause,
@@ -68,8 +68,6 @@ def _toward_relation(parts: Parts) -> Relative:
 
 
 def _walk(parts: Parts) -> Clause:
-    if has_company(parts):
-        raise unfit()
     goals = [part for part in parts if isinstance(part, (Nominal, Relative))]
     for before, after in itertools.pairwise(one for one in goals if isinstance(one, Nominal)):
         again = said_again(before, after, parts)
@@ -78,14 +76,6 @@ def _walk(parts: Parts) -> Clause:
     *earlier, last = (draft("walk_to", to=goal) for goal in goals)
     last = last.with_slot("together", named_together(goals, parts) or None)
     return clause(parts, [(one,) for one in (*earlier, last)])
-
-
-def _walk_bare(parts: Parts) -> Clause:
-    """Terse: "go kitchen", "walk table"."""
-    item: Item = parts[-1]
-    if item.details or item.of.determined or not (item.of.is_place and item.of.is_plain):
-        raise unfit()
-    return clause(parts, [(draft("walk_to", to=target(item)),)])
 
 
 def _approach(parts: Parts) -> Clause:
@@ -131,11 +121,8 @@ def _go_home(parts: Parts) -> Clause:
 
 
 def _stop(parts: Parts) -> Clause:
-    return clause(parts, [(draft("stop"),)])
-
-
-def _revoke(parts: Parts) -> Clause:
-    return replace(_stop(parts), revokes=words(parts, "REVOKE")[0].said)
+    revokes = next((word.said for word in words(parts, "REVOKE")), None)
+    return replace(clause(parts, [(draft("stop"),)]), revokes=revokes)
 
 
 MEANINGS = meanings(
@@ -143,7 +130,6 @@ MEANINGS = meanings(
         "toward": _toward,
         "toward_relation": _toward_relation,
         "walk": _walk,
-        "walk_bare": _walk_bare,
         "approach": _approach,
         "come": _come,
         "go_there": _go_there,
@@ -151,6 +137,6 @@ MEANINGS = meanings(
         "waiting_at": _waiting_at,
         "go_home": _go_home,
         "stop": _stop,
-        "revoke": _revoke,
+        "revoke": _stop,
     }
 )

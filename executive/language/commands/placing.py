@@ -85,9 +85,7 @@ def _put(parts: Parts) -> Clause:
             put = put_draft(nominal, one.goal, one.source, one.hand)
         elif one.back:
             put = draft("place", object=nominal, hand=one.hand, there=Where("to", BACK, "at"))
-        elif down and nominal.count == "all" and nominal.sort == "any" and nominal.is_plain:
-            raise trouble("what shall be put down?", asks=True)
-        elif down:
+        elif down and not (nominal.count == "all" and nominal.sort == "any" and nominal.is_plain):
             count = count_of(nominal)
             put = draft("place", object=nominal, source=one.source, hand=one.hand, count=count)
         else:

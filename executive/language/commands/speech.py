@@ -1,8 +1,7 @@
 """Words to say, and to whom: what is in quotation marks, or what nobody could take for anything else.
 
-Any word can be said, so nothing in free words shows where they end or that they are meant literally ("say
-hello before going home", "speak louder", "say the magic word"). Without quotation marks only greetings and
-whole statements are taken; everything else is asked about.
+Any word can be said, so nothing in free words shows where they end ("say hello before going home"). Without
+quotation marks only greetings and whole statements are taken; everything else is asked about.
 """
 
 from __future__ import annotations
@@ -18,7 +17,6 @@ from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Nominal, draft
 from executive.language.resolve.discourse import is_them
 from executive.language.text.free_text import TIME
-from executive.language.text.word import Word
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
 
@@ -27,11 +25,6 @@ _UNSPOKEN = re.compile(r"[^\w\s,.;:!?'-]")
 
 _SENTENCES = re.compile(r"[.;!?]\s")
 """The end of a sentence after which another begins, which may be said to whoever is commanded."""
-
-
-def _words(parts: Parts) -> Word:
-    word: Word = parts[0]
-    return word
 
 
 def _is_greeting(text: str) -> bool:
@@ -137,7 +130,6 @@ def _say_done(parts: Parts) -> Clause:
 
 MEANINGS = meanings(
     {
-        "words": _words,
         "say": _say,
         "say_done": _say_done,
         "people_told": _people_told,

@@ -20,6 +20,8 @@ from executive.understanding.command_parser import parse
         "go to the front of the fridge",
         "go to the kitchen at 0.3 m/s",
         "go by the sofa",
+        "go kitchen",
+        "take the cup, place on the shelf",
         "turn left then right",
         "make a quarter turn to the left",
         "two steps forward",
