@@ -40,6 +40,12 @@ def target(item: Item) -> Nominal:
     return nominal
 
 
+def one_of_them(of: Nominal) -> Nominal:
+    """A single piece of furniture as a place: "to the chairs" is to one of them."""
+    several = of.sort == "furniture" and of.plural and of.determined and not of.counted
+    return replace(of, plural=False) if several else of
+
+
 def _standing(goal: Nominal) -> Nominal:
     """Somewhere to walk to: an animal is not followed."""
     if goal.sort == "animal":
@@ -49,7 +55,7 @@ def _standing(goal: Nominal) -> Nominal:
 
 def _toward(parts: Parts) -> Nominal:
     """Where to; into something that is no room would be a collision."""
-    goal = _standing(target(parts[-1]))
+    goal = _standing(target(replace(parts[-1], of=one_of_them(parts[-1].of))))
     links = words(parts, "TO_ALSO", "TO", "IN", "INTO")
     if links and goal.kind in word_lists()["beds"] and not goal.determined:
         raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)

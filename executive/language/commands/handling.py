@@ -165,8 +165,7 @@ def _wants(parts: Parts) -> Clause:
     if who.reference or not (who.is_person and who.is_single):
         raise unfit()
     for one in arranged(parts):
-        if one.object.sort != "you":
-            thing(one, "wanting")
+        thing(one, "wanting")
         if one.goal is not None:
             raise unfit()
     raise trouble(f"shall it be brought to {'you' if who.sort == 'me' else spoken(who)}?", asks=True)

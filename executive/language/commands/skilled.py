@@ -14,7 +14,7 @@ from typing import Any
 
 from executive.language.commands import meanings
 from executive.language.commands.gestures import somebody
-from executive.language.commands.going import target
+from executive.language.commands.going import one_of_them, target
 from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import (
@@ -61,9 +61,9 @@ def _skilled(parts: Parts) -> Clause:
 
 def _aimed(item: Item) -> tuple[Nominal, Nominal | None]:
     """Whom or what an item names, and from where."""
-    sources = [one.of for one in item.details if isinstance(one, Where) and one.role == "from"]
+    sources = [one_of_them(one.of) for one in item.details if isinstance(one, Where) and one.role == "from"]
     rest = tuple(one for one in item.details if not (isinstance(one, Where) and one.role == "from"))
-    if len(sources) > 1 or any(not (one.is_place or one.reference == "there") for one in sources):
+    if len(sources) > 1 or any(one.is_person or one.reference for one in sources):
         raise unfit()
     return target(replace(item, details=rest)), next(iter(sources), None)
 

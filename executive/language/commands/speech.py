@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import itertools
 import re
-from dataclasses import dataclass
 
 from executive.language.commands import meanings, word_lists
 from executive.language.phrases.arranging import ME, clause, trouble, unfit
@@ -89,24 +88,18 @@ def _is_around(lowered: str) -> bool:
     return not word_lists()["around"].isdisjoint(re.findall(r"[\w']+", lowered))
 
 
-@dataclass(frozen=True, slots=True)
-class _Told:
+def _people_told(parts: Parts) -> tuple[Nominal, ...] | None:
     """Several people who are told the same."""
-
-    people: tuple[Nominal, ...]
-
-
-def _people_told(parts: Parts) -> _Told | None:
     if any(part.commas for part in parts if isinstance(part, Joined)):
         return None  # after no more than a comma, who follows may be whom the words are about
     people = tuple(part for part in parts if isinstance(part, Nominal))
     named = all(one.is_person and one.is_single and not one.reference and one.sort != "me" for one in people)
-    return _Told(people) if named and len(set(people)) == len(people) > 1 else None
+    return people if named and len(set(people)) == len(people) > 1 else None
 
 
 def _say(parts: Parts) -> Clause:
     """Words to nobody in particular, to somebody, or to each of several people, one after the other."""
-    told = [person for part in parts if isinstance(part, _Told) for person in part.people]
+    told = [person for part in parts if isinstance(part, tuple) for person in part]
     told += [part for part in parts if isinstance(part, Nominal)]
     tells, that = senses(parts, "TELL"), senses(parts, "THAT")
     if ("let" in tells) != ("know" in that):

@@ -35,6 +35,7 @@ from executive.understanding.command_parser import parse
         "tell me where she is",
         "say hello to Ana from me",
         "say the magic word",
+        "go to the two chairs",
     ],
 )
 def test_a_rare_wording_is_not_acted_on(sentence):

@@ -30,6 +30,10 @@ def tasks_of(sentence):
             "escort the person in the kitchen from the desk to the sofa",
             {"action": "guide", "person": IN_THE_KITCHEN, "from": "desk", "to": "sofa"},
         ),
+        (
+            "lead Ana from the lamp to the chairs",
+            {"action": "guide", "person": "Ana", "from": {"kind": "lamp"}, "to": "chair"},
+        ),
         ("greet Ana", {"action": "greet", "person": "Ana"}),
         ("salute the person at the desk", {"action": "greet", "person": AT_THE_DESK}),
         ("say hello to Ana", {"action": "greet", "person": "Ana"}),
