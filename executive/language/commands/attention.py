@@ -101,6 +101,8 @@ def _whether(parts: Parts) -> Clause:
     """Is the cup on the table? What is seen tells it, but of several not whether all of them are there."""
     details = tuple(part for part in parts if isinstance(part, Where))
     each = [Item(part, details) for part in parts if isinstance(part, Nominal)]
+    if any(item.of.sort == "name" and one.posture for item in each for one in details):
+        raise unfit()  # "is Ana sitting in the kitchen?" asks for more than where she is
     items = [Items(tuple(each))] if each else [part for part in parts if isinstance(part, Items)]
     found = _find((*words(parts, "IS_IT", "LEFT_OVER"), *items))
     if any(one.get("count") is not None for bundle in found.bundles for one in bundle):

@@ -44,13 +44,13 @@ def _skilled(parts: Parts) -> Clause:
         raise trouble("several at once: name one", verb.said)
     if verb.word_class == "SKILL_TO" and not all(item.of.is_person or item.of.reference for item in items):
         raise unfit()
-    if verb.word_class == "SKILL_TO" and to is None:
-        raise trouble("where to?", asks=True)
     bundles: list[Bundle] = []
     for item in items or (None,):
         slots: dict[str, Any] = dict.fromkeys(told, True)
         if item is not None:
             of, slots["source"] = _aimed(item)
+            if verb.word_class == "SKILL_TO" and to is None:
+                raise trouble("where to?", asks=True)
             person = of.is_person or (of.reference == "them" and "person" in known)
             slots["person" if person else "to" if of.is_place and "person" not in known else "object"] = of
         slots |= {} if to is None else {"to": to}

@@ -35,6 +35,7 @@ from executive.understanding.command_parser import parse
         "tell me where she is",
         "say hello to Ana from me",
         "say the magic word",
+        "is Ana sitting in the kitchen?",
         "go to the two chairs",
     ],
 )

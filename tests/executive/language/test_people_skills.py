@@ -60,12 +60,20 @@ def test_who_was_found_is_meant_by_them(verb):
     assert IN_THE_KITCHEN in then.values()
 
 
-def test_where_somebody_is_to_be_guided_is_asked():
-    assert parse("guide Ana").question.text == "where to?"
+@pytest.mark.parametrize("sentence", ["guide Ana", "guide Ana from the sofa", "lead the man in the kitchen"])
+def test_where_somebody_is_to_be_guided_is_asked(sentence):
+    assert parse(sentence).question.text == "where to?"
 
 
 @pytest.mark.parametrize(
-    "sentence", ["follow the cup", "follow Ana and Ben", "greet the table", "guide the chair to the table"]
+    "sentence",
+    [
+        "follow the cup",
+        "follow Ana and Ben",
+        "greet the table",
+        "guide the chair to the table",
+        "take the guests to the bar",
+    ],
 )
 def test_what_is_not_done_to_things_or_to_several_is_refused(sentence):
     assert parse(sentence).refusal is not None
