@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory
-from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
+from executive.language.commands.moving import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary

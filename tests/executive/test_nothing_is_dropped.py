@@ -150,12 +150,6 @@ def test_number_side_speaker_and_place_are_never_passed_over(sentence):
     assert parse(sentence).commands == ()
 
 
-def test_who_is_to_have_a_thing_gets_it():
-    (given,) = parse("let Ben have the cup").to_json()["tasks"]
-
-    assert (given["action"], given["to"]) == ("hand_over", "Ben")
-
-
 def test_a_place_beside_a_person_is_no_hand_over():
     tasks = parse("take the cup and bring it to behind Ana").to_json()["tasks"]
 

@@ -17,11 +17,10 @@ from executive.language.commands import (
     gestures,
     going,
     handling,
+    moving,
     placing,
     skilled,
     speech,
-    turns,
-    waiting,
 )
 from executive.language.phrases import (
     amounts,
@@ -44,6 +43,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **going.MEANINGS,
         **handling.MEANINGS,
         **lists.MEANINGS,
+        **moving.MEANINGS,
         **nominals.MEANINGS,
         **pairs.MEANINGS,
         **places.MEANINGS,
@@ -52,8 +52,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **skilled.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,
-        **turns.MEANINGS,
-        **waiting.MEANINGS,
         "fronted": fronted,
     }
 )

@@ -7,7 +7,7 @@ from typing import Any
 
 from executive.language.clauses.scopes import UNCLEAR_ORDER
 from executive.language.clauses.sentences import Sentence
-from executive.language.commands.going import NO_DIRECTION
+from executive.language.commands.moving import NO_DIRECTION
 from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases.values import EXCEEDS, HARMS, Nominal, Trouble
 from executive.language.resolve.hazards import harm_in

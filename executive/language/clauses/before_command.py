@@ -9,8 +9,8 @@ from typing import Any
 
 from executive.language.clauses.neighbours import WITH_A_HAND
 from executive.language.clauses.scopes import Separator
-from executive.language.commands.brief_tasks import takes_a_moment
 from executive.language.commands.placing import MEANINGS as PLACING
+from executive.language.phrases.arranging import ME
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
 
@@ -102,9 +102,22 @@ def _clause(parts: Parts) -> Clause | None:
     return command
 
 
+_BRIEF = frozenset({"pick", "hand_over", "look_at", "point_at", "find", "count", "describe"})
+
+
+def _is_brief(one: Draft, said: str) -> bool:
+    """Whether it takes but a moment; what is lent to somebody has a duration."""
+    to_me = one.get("to") == ME
+    if one.action == "walk_to":
+        return to_me and said != "hurry"
+    return one.action in _BRIEF and said != "while" and (to_me or one.action != "hand_over")
+
+
 def _briefly(parts: Parts) -> Clause | None:
+    """A command that is only said to be a short one: "come here for a sec"."""
     *said, moment = parts
-    return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
+    drafts = [one for bundle in said[-1].bundles for one in bundle]
+    return _clause(tuple(said)) if all(_is_brief(one, moment.meaning) for one in drafts) else None
 
 
 def _minding(parts: Parts) -> Clause | None:

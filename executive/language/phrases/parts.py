@@ -24,3 +24,8 @@ def nominal_of(parts: Parts) -> Nominal | None:
 def always(value: Any) -> Meaning:
     """The meaning of words that mean the same wherever they stand."""
     return lambda _parts: value
+
+
+def senses(parts: Iterable[Any], *classes: str) -> set[str]:
+    """Which of the meanings that some word classes tell apart is there, without the form of a verb."""
+    return {word.meaning.partition(":")[0] for word in words(parts, *classes)}

@@ -279,8 +279,8 @@ class Resolver(StatedThings, Ranked, ItsDoor, DoneAlready):
                 slots["source"] = self._source(value, root)
             elif name in ("to", "on"):
                 slots[name] = self._goal(one.action, value, root)
-            elif name == "person":
-                slots["person"] = self._whom(one, value)
+            elif name in ("person", "of"):
+                slots[name] = self._whom(one, value)
             elif name == "text":
                 slots["words"] = value
             else:

@@ -43,4 +43,3 @@ def test_where_the_last_of_several_goes_is_said_of_it_too(behind):
 
 def test_who_takes_a_thing_along_may_take_it_before_going():
     assert tasks_of("go to Mia and take the folder with you") == []
-    assert tasks_of("take the folder with you to the office") == tasks_of("take the folder to the office")

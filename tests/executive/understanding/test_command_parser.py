@@ -115,7 +115,7 @@ REFUSED = [
 ]
 
 NO_SKILL = [
-    ("follow me", "following"),
+    ("watch me", "following"),
     ("clean the table", "housework"),
     ("jump", "whole body"),
     ("press the button", "hands"),
