@@ -14,7 +14,7 @@ from executive.language.commands.going import target
 from executive.language.phrases.arranging import clause, guarded, trouble
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Draft, Item, Meaning, Nominal, draft
-from executive.language.resolve.task_types import task_type
+from executive.language.resolve.kinds import task_type
 from executive.language.text.word import Word
 
 

@@ -19,7 +19,7 @@ from executive.language.phrases.lists import (
 )
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Item, Meaning, Nominal, Pair, Trouble
-from executive.language.resolve.genders import may_be
+from executive.language.resolve.people import may_be
 from executive.language.text.word import Word
 
 

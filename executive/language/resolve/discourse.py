@@ -1,16 +1,31 @@
-"""What was named so far in a sentence, and what is held, given and put down by its tasks."""
+"""What a sentence has named and done up to some word: a frozen value, which each task returns anew."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
-from executive.language.phrases.values import Draft, Mention, Nominal, Trouble
+from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
 from executive.meaning import Command
-from trees.tasks import FindTask
 
-_NAMED = ("thing", "furniture", "container")
+Role = Literal[
+    "object", "goal", "by", "again", "source", "taken", "walk", "beside", "person", "found", "quoted", "about"
+]
+"""What something was named as.
+
+A task is done to its "object"; things go to a "goal" or "by" something, and come from a "source". What a task
+before acts on already is named "again", or "taken" from. The robot walks to a "walk"; what is "beside"
+something tells where that is. A "person" is met, or "found" at a place; who is "quoted" is named in words to
+say, and what is "about" in a statement.
+"""
+
+THINGS = frozenset({"thing", "any"})
+PUTS_DOWN = frozenset({"place", "put_in", "hand_over"})
+LEAVES = frozenset({"walk_to", "move", "go_home", "follow", "guide"})
+"""Tasks after which the robot is elsewhere."""
+
+_TOLD_APART = frozenset({"thing", "furniture", "container"})
 
 
 class UnresolvedError(Exception):
@@ -26,13 +41,19 @@ def ask(message: str, choices: Iterable[str] = ()) -> UnresolvedError:
     return UnresolvedError(Trouble(message, asks=True, choices=tuple(choices)))
 
 
-@dataclass(frozen=True, slots=True)
-class Entity:
-    """Something that a task acts on; ``clause`` counts the clauses."""
+def is_them(value: Any) -> bool:
+    """Whether it says "them", which may be one person of whom no more is known."""
+    return isinstance(value, Nominal) and value.reference == "them"
 
-    task: int
-    clause: int
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Something that was named: as what, in which clause, and for which task."""
+
     of: Nominal
+    role: Role
+    clause: int
+    task: int
 
     @property
     def is_several(self) -> bool:
@@ -42,122 +63,190 @@ class Entity:
         return self.of.count != 1 or (self.of.plural and not self.of.paired)
 
 
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A task that was ordered, how it was said, and the task that first acts on the same thing."""
+
+    command: Command
+    said: Draft
+    root: int
+    clause: int
+
+
+@dataclass(frozen=True, slots=True)
 class Discourse:
-    """What a sentence has named and done up to some word."""
+    """What was named and ordered so far.
 
-    def __init__(self) -> None:
-        self._commands: list[Command] = []
-        self._did: list[tuple[Draft, int]] = []
-        self._entities: list[Entity] = []
-        self._places: list[Nominal] = []
-        self._named_in: list[tuple[int, Nominal]] = []
-        self._beside_places: list[Nominal] = []
-        self._walks: list[Nominal] = []
-        self._walked_together: tuple[Nominal, ...] = ()
-        self._thing_walked_to: Nominal | None = None
-        self._people: list[Nominal] = []
-        self._people_named_in: dict[Nominal, int] = {}
-        self._sources: dict[int, Nominal] = {}
-        self._held: list[int] = []
-        self._given: set[int] = set()
-        self._unsaid_giving: tuple[int, int] | None = None
-        self._mentioned: list[Nominal] = []
-        self._mentioned_in: list[tuple[int, Nominal]] = []
-        self._put_to: tuple[int, Nominal] | None = None
-        self._kind: Nominal | None = None
-        self._mention: Mention | None = None
-        self._stated_at: Nominal | None = None
-        self._it_beside: tuple[int, int] | None = None
-        self._called: dict[str, str] = {}
-        self._whose: dict[Nominal, str] = {}
-        self._placed: dict[int, tuple[str, Any, Any]] = {}
-        self._said_before: tuple[Nominal, ...] = ()
-        self._said_first = False
-        self._said_late: set[int] = set()
-        self._stated: list[Nominal] = []
-        self._stated_to_go: dict[int, int] = {}
-        self._clause = 0
-        self._remembers = False
+    Attributes:
+        steps: The tasks, in order.
+        named: What was named, in order.
+        clause: Which clause is read.
+        kind: What was handled last, of whose kind "the blue one" is.
+        ahead: What another clause names that is said before this one and done after it.
+        backwards: Whether this clause is said before what is done first.
+        remembers: Whether "back" may be where a thing was before it was picked up, wherever that was.
+    """
 
-    def _again(self, root: int) -> None:
-        entity = next((one for one in self._entities if one.task == root), None)
-        if entity is not None:
-            self._entities.append(replace(entity, clause=self._clause))
+    steps: tuple[Step, ...] = ()
+    named: tuple[Named, ...] = ()
+    clause: int = 0
+    kind: Nominal | None = None
+    ahead: tuple[Nominal, ...] = ()
+    backwards: bool = False
+    remembers: bool = False
 
-    def _recent(self, fits: Any, excluded: int | None = None) -> list[Entity]:
-        """What fits among the things of the latest clause that has any."""
-        fitting = [entity for entity in self._entities if fits(entity) and entity.task != excluded]
-        if not fitting:
-            return []
-        latest = max(entity.clause for entity in fitting)
-        unique = {entity.task: entity for entity in fitting if entity.clause == latest}
-        return list(unique.values())
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """The tasks so far."""
+        return tuple(step.command for step in self.steps)
 
-    def _same_kind(self, nominal: Nominal) -> Nominal:
-        """With the kind of what was named before, for "the blue one"."""
-        if not nominal.anaphoric:
-            return nominal
-        if self._kind is None and (self._places or self._people):
-            raise ask("which one is meant?")  # "point at the table and at the white one"
-        if self._kind is None:
-            return nominal
-        return replace(nominal, kind=self._kind.kind, sort=self._kind.sort)
+    @property
+    def last_action(self) -> str:
+        """The action of the task before, or nothing."""
+        return self.steps[-1].command.action if self.steps else ""
 
-    def _note_name(self, nominal: Nominal) -> None:
-        """Ask when two words that mean the same are used as if they told things apart: "the cube", "the box".
+    def actions_since(self, task: int) -> frozenset[str]:
+        """The actions of a task and those after it."""
+        return frozenset(step.command.action for step in self.steps[task:])
+
+    @property
+    def held(self) -> tuple[int, ...]:
+        """The first tasks of the things in the hands."""
+        held: list[int] = []
+        for step in self.steps:
+            if step.command.action == "pick":
+                held.append(step.root)
+            elif step.command.action in PUTS_DOWN and step.root in held:
+                held.remove(step.root)
+        return tuple(held)
+
+    @property
+    def given(self) -> frozenset[int]:
+        """The first tasks of the things that were given away."""
+        last = {step.root: step.command.action for step in self.steps}
+        gave = {step.root for step in self.steps if step.command.action == "hand_over"}
+        return frozenset(root for root in gave if last[root] != "pick")
+
+    @property
+    def placed(self) -> frozenset[int]:
+        """The first tasks of the things that were put somewhere."""
+        return frozenset(step.root for step in self.steps if step.command.action in ("place", "put_in"))
+
+    @property
+    def opened(self) -> tuple[int, ...]:
+        """The tasks that open something."""
+        return tuple(index for index, one in enumerate(self.commands) if one.action == "open")
+
+    def as_named(self, *roles: Role) -> Iterator[Named]:
+        """What was named so."""
+        return (one for one in self.named if one.role in roles)
+
+    @property
+    def things(self) -> tuple[Named, ...]:
+        """What tasks act on, also those that act on it again."""
+        return tuple(self.as_named("object"))
+
+    def recent(self, sorts: Collection[str] = (), but: int | None = None) -> list[Named]:
+        """The things of some sorts, or of any, in the latest clause that has any; not those of one task."""
+        fitting = [one for one in self.things if (not sorts or one.of.sort in sorts) and one.task != but]
+        latest = max((one.clause for one in fitting), default=-1)
+        return list({one.task: one for one in fitting if one.clause == latest}.values())
+
+    @property
+    def places(self) -> tuple[Named, ...]:
+        """Furniture, containers, doors and rooms that things or the robot go to, come from or that are opened."""
+        return tuple(
+            one for one in self.as_named("object", "goal", "source", "walk", "about") if one.of.is_place
+        )
+
+    @property
+    def beside(self) -> list[Nominal]:
+        """Places that tell where something is."""
+        return list(dict.fromkeys(one.of for one in self.as_named("beside") if one.of.is_place))
+
+    @property
+    def mentioned(self) -> tuple[Named, ...]:
+        """Things that nothing is done to: where others go, come from and are."""
+        roles: tuple[Role, ...] = ("goal", "by", "source", "walk", "beside")
+        return tuple(one for one in self.as_named(*roles) if one.of.sort in THINGS)
+
+    @property
+    def walks(self) -> list[Nominal]:
+        """Where the robot walked to."""
+        return [one.of for one in self.as_named("walk")]
+
+    @property
+    def people(self) -> tuple[Named, ...]:
+        """Who was named; where somebody of a name was, does not tell who it is."""
+        named = (
+            one
+            for one in self.named
+            if one.of.sort in ("person", "name") and one.role not in ("by", "beside")
+        )
+        return tuple(
+            replace(one, of=replace(one.of, relation=None)) if one.of.sort == "name" else one for one in named
+        )
+
+    @property
+    def put_to(self) -> Named | None:
+        """What something was put into or onto that could be carried on with it."""
+        goals = [
+            one
+            for one in self.as_named("goal", "again")
+            if one.of.sort in THINGS and self.commands[one.task].action in ("place", "put_in")
+        ]
+        return goals[-1] if goals else None
+
+    def source_of(self, root: int) -> Nominal | None:
+        """Where a thing was taken from."""
+        sources = [one.of for one in self.as_named("source", "taken") if one.task == root]
+        return sources[-1] if sources else None
+
+    def same_kind(self, of: Nominal) -> Nominal:
+        """With the kind of what was handled before, for "the blue one".
 
         Raises:
-            UnresolvedError: They are.
+            UnresolvedError: Only places and people were named.
         """
-        if nominal.kind is None or nominal.anaphoric or nominal.sort not in _NAMED or not nominal.said:
+        if not of.anaphoric:
+            return of
+        if self.kind is None and (self.places or self.people):
+            raise ask("which one is meant?")  # "point at the table and at the white one"
+        return of if self.kind is None else replace(of, kind=self.kind.kind, sort=self.kind.sort)
+
+    def naming(self, of: Any, role: Role, task: int | None = None) -> Discourse:
+        """With something named, and to whom it belongs and where it is.
+
+        Raises:
+            UnresolvedError: It is called as something else was before: "the blocks", "the box".
+        """
+        if isinstance(of, Relative):
+            return self.naming(of.to, role, task)
+        if not isinstance(of, Nominal) or (of.reference and role != "taken"):
+            return self
+        of = self.same_kind(of)
+        self._called_apart(of)
+        index = len(self.steps) if task is None else task
+        handled = of if of.kind and of.relation is not None and not of.is_place else self.kind
+        told = replace(self, named=(*self.named, Named(of, role, self.clause, index)), kind=handled)
+        owner = None if role == "about" else of.owner
+        return told.naming(owner, "about", task).naming(of.relation, "beside", task)
+
+    def _called_apart(self, of: Nominal) -> None:
+        if of.kind is None or of.anaphoric or of.sort not in _TOLD_APART or not of.said:
             return
-        if nominal.whose:
-            whose = self._whose.setdefault(nominal, nominal.whose)
-            if whose != nominal.whose:
-                raise ask(f"'{whose} {nominal.said}' and '{nominal.whose} {nominal.said}': which is which?")
-        before = self._called.setdefault(nominal.kind, nominal.said)
-        if not _is_one_name(before, nominal.said):
-            raise ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")
-
-    def _name_place(self, value: Any) -> None:
-        if isinstance(value, Nominal) and value.is_place and not value.reference:
-            self._places.append(value)
-            self._named_in.append((self._clause, value))
-        if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
-            person = replace(value, relation=None) if value.sort == "name" else value
-            self._people.append(person)
-            self._people_named_in.setdefault(person, self._clause)
-
-    def _together(self, said: str) -> tuple[Nominal, ...]:
-        """All who were named, if "them" can be nobody else: in one breath, or two of whom it is "both".
-
-        Who was named in words to say, or told by where he was found, is not among them.
-        """
-        people = tuple(dict.fromkeys(self._people))
-        clauses = {self._people_named_in.get(one) for one in people}
-        alone = None not in clauses and len(people) > 1 and all(one.is_single for one in people)
-        together = len(people) == 2 if said == "both" else len(clauses) == 1
-        return people if alone and together else ()
-
-    def _was_search_for_several(self, task: int) -> bool:
-        """Whether a task only looks for several things, so that none of them is chosen by it."""
-        command = self._commands[task]
-        return isinstance(command, FindTask) and command.count != 1
-
-    def _is_several(self) -> bool:
-        """Whether some things were named that "them" may stand for."""
-        return any(not entity.of.is_single for entity in self._entities)
+        for one in self.named:
+            if (
+                one.of.kind == of.kind
+                and one.of.said
+                and not one.of.anaphoric
+                and not _is_one_name(one.of.said, of.said)
+            ):
+                raise ask(f"{one.of.said!r} and {of.said!r} are both called {of.kind!r}: which is which?")
 
 
 def _is_one_name(first: str, second: str) -> bool:
     """Whether two phrases are one word in two forms, or one is the other with more said: "kitchen table"."""
-    one, other = first.split(), second.split()
-    if set(one) <= set(other) or set(other) <= set(one):
-        return True
-    stem = min(len(first), len(second)) - 2
-    return first[: max(stem, 3)] == second[: max(stem, 3)]
-
-
-def is_them(value: Any) -> bool:
-    """Whether it says "them", which may be one person of whom no more is known."""
-    return isinstance(value, Nominal) and value.reference == "them"
+    one, other = set(first.split()), set(second.split())
+    stem = max(min(len(first), len(second)) - 2, 3)
+    return one <= other or other <= one or first[:stem] == second[:stem]

@@ -5,23 +5,14 @@ It is told from the tasks, where "it" is known to be the fork. What is dangerous
 
 from __future__ import annotations
 
-import importlib.resources
-import tomllib
 from collections.abc import Sequence
-from functools import cache
 from typing import Any
 
 from executive.language.phrases.values import Trouble
+from executive.language.resolve.kinds import listed
 from executive.meaning import Command
 from trees.beliefs.grounding.articles import with_article
 from trees.tasks import HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
-
-
-@cache
-def _lists() -> dict[str, frozenset[str]]:
-    """All lists, read when something is first put or given."""
-    text = importlib.resources.files("executive.language.resolve").joinpath("hazards.toml").read_text("utf-8")
-    return {name: frozenset(kinds) for name, kinds in tomllib.loads(text).items()}
 
 
 def harm_in(commands: Sequence[Command]) -> Trouble | None:
@@ -49,11 +40,6 @@ def harm_in(commands: Sequence[Command]) -> Trouble | None:
     return None
 
 
-def is_hazard(kind: str) -> bool:
-    """Whether a thing of some kind could be meant to harm somebody, or could harm whoever gets it."""
-    return not _stands_in("harmless", kind) and _is(kind, "sharp", "fire", "poison", "medicine", "explodes")
-
-
 def _described(thing: Any, commands: Sequence[Command]) -> Any:
     """The description behind "it", which may stand for what "it" stood for before."""
     for _ in commands:
@@ -72,12 +58,12 @@ def _kind(place: Any, commands: Sequence[Command]) -> str | None:
 
 def _is(kind: str, *lists: str) -> bool:
     """Whether a kind is in one of the lists, or made of what is: a "bread knife" is a knife."""
-    return any(kind in _lists()[one] or kind.rpartition(" ")[2] in _lists()[one] for one in lists)
+    return any(kind in listed(one) or kind.rpartition(" ")[2] in listed(one) for one in lists)
 
 
 def _stands_in(one: str, kind: str) -> bool:
     """Whether a kind is in a list as a whole."""
-    return kind in _lists()[one]
+    return kind in listed(one)
 
 
 def _poisons(thing: str) -> bool:
