@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -22,9 +22,11 @@ say, and what is "about" in a statement.
 
 THINGS = frozenset({"thing", "any"})
 PUTS_DOWN = frozenset({"place", "put_in", "hand_over"})
+MOVES = frozenset({"pick", *PUTS_DOWN})
 LEAVES = frozenset({"walk_to", "move", "go_home", "follow", "guide"})
 """Tasks after which the robot is elsewhere."""
 
+_PEOPLE = frozenset({"person", "name"})
 _TOLD_APART = frozenset({"thing", "furniture", "container"})
 
 
@@ -58,9 +60,8 @@ class Named:
     @property
     def is_several(self) -> bool:
         """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors", "all fruit"."""
-        if self.of.mass and self.of.count == "all":
-            return False
-        return self.of.count != 1 or (self.of.plural and not self.of.paired)
+        all_of_it = self.of.mass and self.of.count == "all"
+        return not all_of_it and (self.of.count != 1 or (self.of.plural and not self.of.paired))
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,118 +97,85 @@ class Discourse:
     remembers: bool = False
 
     @property
-    def commands(self) -> tuple[Command, ...]:
-        """The tasks so far."""
-        return tuple(step.command for step in self.steps)
-
-    @property
     def last_action(self) -> str:
         """The action of the task before, or nothing."""
         return self.steps[-1].command.action if self.steps else ""
 
-    def actions_since(self, task: int) -> frozenset[str]:
+    def actions(self, since: int = 0) -> frozenset[str]:
         """The actions of a task and those after it."""
-        return frozenset(step.command.action for step in self.steps[task:])
+        return frozenset(step.command.action for step in self.steps[since:])
 
     @property
     def held(self) -> tuple[int, ...]:
         """The first tasks of the things in the hands."""
-        held: list[int] = []
-        for step in self.steps:
-            if step.command.action == "pick":
-                held.append(step.root)
-            elif step.command.action in PUTS_DOWN and step.root in held:
-                held.remove(step.root)
-        return tuple(held)
+        moved = {step.root: step.command.action for step in self.steps if step.command.action in MOVES}
+        return tuple(root for root, action in moved.items() if action == "pick")
 
     @property
     def given(self) -> frozenset[int]:
         """The first tasks of the things that were given away."""
-        last = {step.root: step.command.action for step in self.steps}
         gave = {step.root for step in self.steps if step.command.action == "hand_over"}
-        return frozenset(root for root in gave if last[root] != "pick")
+        return frozenset(gave.difference(self.held))
 
-    @property
-    def placed(self) -> frozenset[int]:
-        """The first tasks of the things that were put somewhere."""
-        return frozenset(step.root for step in self.steps if step.command.action in ("place", "put_in"))
-
-    @property
-    def opened(self) -> tuple[int, ...]:
-        """The tasks that open something."""
-        return tuple(index for index, one in enumerate(self.commands) if one.action == "open")
-
-    def as_named(self, *roles: Role) -> Iterator[Named]:
+    def as_named(self, *roles: Role) -> tuple[Named, ...]:
         """What was named so."""
-        return (one for one in self.named if one.role in roles)
+        return tuple(one for one in self.named if one.role in roles)
 
     @property
     def things(self) -> tuple[Named, ...]:
         """What tasks act on, also those that act on it again."""
-        return tuple(self.as_named("object"))
+        return self.as_named("object")
 
     def recent(self, sorts: Collection[str] = (), but: int | None = None) -> list[Named]:
         """The things of some sorts, or of any, in the latest clause that has any; not those of one task."""
-        fitting = [one for one in self.things if (not sorts or one.of.sort in sorts) and one.task != but]
+        fitting = [one for one in self.things if one.task != but and (not sorts or one.of.sort in sorts)]
         latest = max((one.clause for one in fitting), default=-1)
         return list({one.task: one for one in fitting if one.clause == latest}.values())
 
     @property
     def places(self) -> tuple[Named, ...]:
-        """Furniture, containers, doors and rooms that things or the robot go to, come from or that are opened."""
-        return tuple(
-            one for one in self.as_named("object", "goal", "source", "walk", "about") if one.of.is_place
-        )
-
-    @property
-    def beside(self) -> list[Nominal]:
-        """Places that tell where something is."""
-        return list(dict.fromkeys(one.of for one in self.as_named("beside") if one.of.is_place))
+        """Furniture, containers, doors and rooms that are gone to, put to, taken from, opened or spoken of."""
+        named = self.as_named("object", "goal", "source", "walk", "about")
+        return tuple(one for one in named if one.of.is_place)
 
     @property
     def mentioned(self) -> tuple[Named, ...]:
         """Things that nothing is done to: where others go, come from and are."""
-        roles: tuple[Role, ...] = ("goal", "by", "source", "walk", "beside")
-        return tuple(one for one in self.as_named(*roles) if one.of.sort in THINGS)
+        named = self.as_named("goal", "by", "source", "walk", "beside")
+        return tuple(one for one in named if one.of.sort in THINGS)
+
+    @property
+    def people(self) -> tuple[Named, ...]:
+        """Who was named; where somebody of a name was, does not tell who it is."""
+        people = (one for one in self.named if one.of.sort in _PEOPLE and one.role not in ("by", "beside"))
+        return tuple(
+            replace(one, of=replace(one.of, relation=None)) if one.of.sort == "name" else one
+            for one in people
+        )
 
     @property
     def walks(self) -> list[Nominal]:
         """Where the robot walked to."""
         return [one.of for one in self.as_named("walk")]
 
-    @property
-    def people(self) -> tuple[Named, ...]:
-        """Who was named; where somebody of a name was, does not tell who it is."""
-        named = (
-            one
-            for one in self.named
-            if one.of.sort in ("person", "name") and one.role not in ("by", "beside")
-        )
-        return tuple(
-            replace(one, of=replace(one.of, relation=None)) if one.of.sort == "name" else one for one in named
-        )
-
-    @property
-    def put_to(self) -> Named | None:
-        """What something was put into or onto that could be carried on with it."""
-        goals = [
-            one
-            for one in self.as_named("goal", "again")
-            if one.of.sort in THINGS and self.commands[one.task].action in ("place", "put_in")
-        ]
-        return goals[-1] if goals else None
-
     def source_of(self, root: int) -> Nominal | None:
         """Where a thing was taken from."""
         sources = [one.of for one in self.as_named("source", "taken") if one.task == root]
         return sources[-1] if sources else None
 
-    def same_kind(self, of: Nominal) -> Nominal:
-        """With the kind of what was handled before, for "the blue one".
+    def standing_open(self) -> dict[Nominal, int]:
+        """What was opened and not closed since, by the task that opened it."""
+        found: dict[Nominal, int] = {}
+        for index, step in enumerate(self.steps):
+            for one in self.things:
+                if one.task == step.root and step.command.action == "close":
+                    found.pop(one.of, None)
+                elif one.task == step.root and step.command.action == "open":
+                    found[one.of] = index
+        return found
 
-        Raises:
-            UnresolvedError: Only places and people were named.
-        """
+    def same_kind(self, of: Nominal) -> Nominal:
+        """With the kind of what was handled before, for "the blue one"; asked where only places were named."""
         if not of.anaphoric:
             return of
         if self.kind is None and (self.places or self.people):
@@ -215,7 +183,12 @@ class Discourse:
         return of if self.kind is None else replace(of, kind=self.kind.kind, sort=self.kind.sort)
 
     def naming(self, of: Any, role: Role, task: int | None = None) -> Discourse:
-        """With something named, and to whom it belongs and where it is.
+        """With something named, to whom it belongs and where it is.
+
+        Args:
+            of: What was named; anything but a noun and a relation to one changes nothing.
+            role: As what.
+            task: The task that first acts on the same thing; the next one by default.
 
         Raises:
             UnresolvedError: It is called as something else was before: "the blocks", "the box".
@@ -226,27 +199,18 @@ class Discourse:
             return self
         of = self.same_kind(of)
         self._called_apart(of)
-        index = len(self.steps) if task is None else task
-        handled = of if of.kind and of.relation is not None and not of.is_place else self.kind
-        told = replace(self, named=(*self.named, Named(of, role, self.clause, index)), kind=handled)
-        owner = None if role == "about" else of.owner
-        return told.naming(owner, "about", task).naming(of.relation, "beside", task)
+        placed = of.kind is not None and of.relation is not None and not of.is_place
+        named = Named(of, role, self.clause, len(self.steps) if task is None else task)
+        told = replace(self, named=(*self.named, named), kind=of if placed else self.kind)
+        told = told if role == "about" else told.naming(of.owner, "about", task)
+        return told.naming(of.relation, "beside", task)
 
     def _called_apart(self, of: Nominal) -> None:
-        if of.kind is None or of.anaphoric or of.sort not in _TOLD_APART or not of.said:
-            return
         for one in self.named:
-            if (
-                one.of.kind == of.kind
-                and one.of.said
-                and not one.of.anaphoric
-                and not _is_one_name(one.of.said, of.said)
-            ):
-                raise ask(f"{one.of.said!r} and {of.said!r} are both called {of.kind!r}: which is which?")
-
-
-def _is_one_name(first: str, second: str) -> bool:
-    """Whether two phrases are one word in two forms, or one is the other with more said: "kitchen table"."""
-    one, other = set(first.split()), set(second.split())
-    stem = max(min(len(first), len(second)) - 2, 3)
-    return one <= other or other <= one or first[:stem] == second[:stem]
+            if one.of.kind != of.kind or of.sort not in _TOLD_APART or one.of.anaphoric or of.anaphoric:
+                continue
+            first, second = one.of.said, of.said
+            words, others = set(first.split()), set(second.split())
+            stem = max(min(len(first), len(second)) - 2, 3)
+            if not (words <= others or others <= words or first[:stem] == second[:stem]):
+                raise ask(f"{first!r} and {second!r} are both called {of.kind!r}: which is which?")

@@ -5,11 +5,11 @@ It is told from the tasks, where "it" is known to be the fork. What is dangerous
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from executive.language.phrases.values import Trouble
-from executive.language.resolve.kinds import listed
+from executive.language.phrases.values import HARMS, Trouble
+from executive.language.resolve.kinds import listed, rules
 from executive.meaning import Command
 from trees.beliefs.grounding.articles import with_article
 from trees.tasks import HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
@@ -20,23 +20,19 @@ def harm_in(commands: Sequence[Command]) -> Trouble | None:
     for command in commands:
         if not isinstance(command, HandOverTask | PutInTask | PlaceTask):
             continue
-        given = _described(command.object, commands)
-        thing = given.kind if isinstance(given, ObjectDescription) else None
-        if thing is None:
+        thing = _described(command.object, commands)
+        goal = _described(getattr(command, "on", None) or command.to, commands)
+        where = goal.kind if isinstance(goal, ObjectDescription) else goal
+        if not isinstance(thing, ObjectDescription) or thing.kind is None or not isinstance(where, str):
+            continue
+        if not any(_harms(rule, thing, where.lower(), command.action) for rule in rules("harm")):
             continue
         if isinstance(command, HandOverTask):
-            person = _kind(command.to, commands)
-            if person is not None and _stands_in("children", person) and _hurts_a_child(thing, person):
-                return Trouble(f"the {thing} could harm {with_article(person)}; it is not handed over", thing)
-            continue
-        place = command.on if isinstance(command, PlaceTask) and command.on is not None else command.to
-        where = _kind(place, commands)
-        into = isinstance(command, PutInTask)
-        if where is not None and _is_dangerous(thing, given.material, where, into=into):
-            relation = "in" if into else "on"
-            return Trouble(
-                f"the {thing} {relation} the {where} could harm; this robot does not do that", thing
-            )
+            told = f"the {thing.kind} could harm {with_article(where)}; it is not handed over"
+        else:
+            relation = "in" if isinstance(command, PutInTask) else "on"
+            told = f"the {thing.kind} {relation} the {where} {HARMS}"
+        return Trouble(told, thing.kind)
     return None
 
 
@@ -49,51 +45,27 @@ def _described(thing: Any, commands: Sequence[Command]) -> Any:
     return thing
 
 
-def _kind(place: Any, commands: Sequence[Command]) -> str | None:
-    described = _described(place, commands)
-    if isinstance(described, ObjectDescription):
-        return None if described.kind is None else described.kind.lower()
-    return described.lower() if isinstance(described, str) else None
-
-
-def _is(kind: str, *lists: str) -> bool:
-    """Whether a kind is in one of the lists, or made of what is: a "bread knife" is a knife."""
-    return any(kind in listed(one) or kind.rpartition(" ")[2] in listed(one) for one in lists)
-
-
-def _stands_in(one: str, kind: str) -> bool:
-    """Whether a kind is in a list as a whole."""
-    return kind in listed(one)
-
-
-def _poisons(thing: str) -> bool:
-    bottle = thing.removesuffix(" bottle").removesuffix(" box").removesuffix(" can")
-    return not _stands_in("harmless", thing) and (_is(thing, "poison") or _is(bottle, "poison"))
-
-
-def _hurts_a_child(thing: str, person: str) -> bool:
-    if thing.startswith("toy ") or _stands_in("harmless", thing):
+def _harms(rule: Mapping[str, Any], thing: ObjectDescription, where: str, action: str) -> bool:
+    """Whether a rule forbids to do this with a thing there."""
+    kind = thing.kind or ""
+    if (
+        action not in rule["actions"]
+        or where not in listed(rule["where"])
+        or where in _all(rule, "but_where")
+    ):
         return False
-    swallows = _stands_in("small_children", person) and _is(thing, "medicine")
-    return swallows or _is(thing, "sharp", "fire") or _poisons(thing)
+    if (
+        kind in listed("harmless")
+        or kind in _all(rule, "but")
+        or (kind.startswith("toy ") and not rule.get("toys"))
+    ):
+        return False
+    if rule.get("material") and thing.material is not None:
+        return bool(thing.material == rule["material"])
+    within = next((kind.removesuffix(end) for end in listed("packs") if kind.endswith(end)), kind)
+    named = {kind, within, kind.rpartition(" ")[2], within.rpartition(" ")[2]}
+    return any(not named.isdisjoint(listed(one)) for one in rule["things"])
 
 
-def _is_dangerous(thing: str, material: str | None, where: str, *, into: bool) -> bool:
-    heats = _stands_in("heats", where)
-    if thing.startswith("toy ") and not heats:
-        return False
-    if _stands_in("cribs", where):
-        return _is(thing, "sharp", "fire") or _poisons(thing)
-    if heats and _is(thing, "explodes", "electric"):
-        return True
-    if not into:
-        return False
-    burns = _is(thing, "burns") and not _stands_in("baked_in", thing)
-    if heats and burns and not _stands_in("open_fire", where):
-        return True
-    sparks = material == "metal" or (material is None and _is(thing, "metal"))
-    if sparks and _stands_in("sparks", where):
-        return True
-    if _stands_in("water", where) and _is(thing, "electric"):
-        return True
-    return _stands_in("swallowed", where) and _poisons(thing)
+def _all(rule: Mapping[str, Any], name: str) -> frozenset[str]:
+    return frozenset().union(*(listed(one) for one in rule.get(name, ())))

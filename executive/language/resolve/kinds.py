@@ -1,4 +1,4 @@
-"""What is known of kinds of things, places and people when it is told what a word stands for: data beside this."""
+"""What is known of kinds of tasks, things, places and people when it is told what a word stands for."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ from typing import Any
 from executive.meaning import StopCommand
 from robots.toml_text import read_toml
 from trees import tasks
-
-_FILES = ("hazards.toml", "nouns.toml")
 
 TYPES: Mapping[str, Any] = MappingProxyType(
     {
@@ -45,20 +43,23 @@ def task_type(action: str) -> Any:
 
 
 def listed(name: str) -> frozenset[str]:
-    """The words of a list of ``hazards.toml`` or ``nouns.toml``.
+    """The words of a list of ``hazards.toml`` or ``nouns.toml``, by the name that it has there."""
+    words: frozenset[str] = _tables()[name]
+    return words
 
-    Args:
-        name: What the list is called there, "sharp".
-    """
-    return _lists()[name]
+
+def rules(name: str) -> tuple[Mapping[str, Any], ...]:
+    """The rules of a name that stand in ``hazards.toml``."""
+    found: tuple[Mapping[str, Any], ...] = _tables()[name]
+    return found
 
 
 @cache
-def _lists() -> Mapping[str, frozenset[str]]:
-    """All lists, read when one is first asked for."""
+def _tables() -> Mapping[str, Any]:
+    """All lists and rules, read when one is first asked for."""
     folder = importlib.resources.files("executive.language.resolve")
     return {
-        name: frozenset(words)
-        for file in _FILES
-        for name, words in read_toml(folder.joinpath(file).read_text("utf-8")).items()
+        name: tuple(rows) if isinstance(rows[0], dict) else frozenset(rows)
+        for file in ("hazards.toml", "nouns.toml")
+        for name, rows in read_toml(folder.joinpath(file).read_text("utf-8")).items()
     }

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from executive.language.phrases.values import SEATS, Nominal, Relative
 from executive.language.resolve.antecedents import said_again
-from executive.language.resolve.discourse import Discourse, ask, is_them
+from executive.language.resolve.discourse import Discourse, Role, ask, is_them
 from executive.language.resolve.kinds import listed
 from trees.tasks import RelationKind
 
@@ -40,28 +40,21 @@ def person_meant(told: Discourse, of: Nominal, *, anew: bool = False) -> Nominal
         return replace(people[0], relation=None) if anew else people[0]
     if of.reference:
         raise ask("who is meant?")
-    if anew or of.sort != "person":
-        return of
-    before = said_again(told, of)
+    before = said_again(told, of) if of.sort == "person" and not anew else None
     return before if isinstance(before, Nominal) else of
 
 
-def all_of_them(told: Discourse, of: Nominal) -> tuple[Nominal, ...]:
+def all_of_them(told: Discourse, of: Nominal) -> list[Nominal]:
     """All who were named, if "them" can be nobody else: in one breath, or two of whom it is "both".
 
-    Who was named in words to say, or told by where he was found, is not among them. Whom "them" means alone is
-    left to be asked or told.
+    Who was named in words to say, or told by where he was found, is not among them.
     """
-    people = dict.fromkeys(one.of for one in told.people)
-    first = {one: next(each for each in told.people if each.of == one) for one in people}
-    clauses = {one.clause for one in first.values()}
-    named = len(people) > 1 and all(
-        one.is_single and first[one].role not in ("found", "quoted") for one in people
-    )
+    people = list(dict.fromkeys(one.of for one in told.people))
+    first = [next(one for one in told.people if one.of == person) for person in people]
+    alone = all(one.of.is_single and one.role not in ("found", "quoted") for one in first)
     two = of.said in listed("two")
-    if named and (len(people) == 2 if two else len(clauses) == 1):
-        return tuple(people)
-    return () if two else (of,)
+    together = len(people) == 2 if two else len({one.clause for one in first}) == 1
+    return people if len(people) > 1 and alone and together else []
 
 
 def where_found(told: Discourse, person: Nominal, place: Nominal) -> Discourse:
@@ -71,8 +64,22 @@ def where_found(told: Discourse, person: Nominal, place: Nominal) -> Discourse:
         return told.naming(person, "person")
     kind: RelationKind = "in" if place.sort == "room" else "on" if place.kind in SEATS else "next_to"
     found = replace(person, relation=Relative(kind, place))
-    others = tuple(one for one in told.named if one.of != person)
-    return replace(told, named=others).naming(found, "found")
+    return replace(told, named=tuple(one for one in told.named if one.of != person)).naming(found, "found")
+
+
+def met(told: Discourse, *roles: Role) -> Nominal | None:
+    """Whom the robot met by its last tasks, as one who was named so, or None.
+
+    Raises:
+        UnresolvedError: It met several people, one after the other.
+    """
+    since = len(told.steps)
+    while since and told.steps[since - 1].command.action in (*_MEETS, *_ADDRESSES):
+        since -= 1
+    people = dict.fromkeys(one.of for one in told.people if one.task >= since and one.role in roles)
+    if len(people) > 1 or any(one.count != 1 for one in people):
+        raise ask("to whom?", ["me", *(str(one.kind) for one in people)])
+    return next(iter(people), None)
 
 
 def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
@@ -81,45 +88,9 @@ def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
     Raises:
         UnresolvedError: Somebody else was named, who may be meant.
     """
-    met = _walked_up_to(told) if of.name is not None else None
-    if met is not None:
-        return met
-    if told.people:
-        raise ask("to whom?", ["me", *dict.fromkeys(str(one.of.kind) for one in told.people)])
-    if of.name == "met" and not (
-        told.last_action == "walk_to" and told.walks and told.walks[-1].sort == "me"
-    ):
-        raise ask("to whom?")
-    return Nominal("me", of.kind)
-
-
-def _walked_up_to(told: Discourse) -> Nominal | None:
-    """Whom the robot has gone to just before, when nobody else was named at all."""
-    actions = [step.command.action for step in told.steps]
-    while actions and actions[-1] in _ADDRESSES:
-        actions.pop()
-    if not actions or actions[-1] != "walk_to" or not told.walks:
-        return None
-    last = told.walks[-1]
-    if last.relation is not None and last.relation.to.is_person and not last.is_person:
-        raise ask("to whom?")  # "go to the chair next to Ana and hand over the cup"
-    people = [replace(one.of, relation=None) for one in told.people]
-    alone = len(set(people)) == 1 or len(actions) == len(told.steps)
-    return last if people[-1:] == [replace(last, relation=None)] and alone else None
-
-
-def spoken_to(told: Discourse) -> Nominal | None:
-    """To whom something is said where nobody is said to hear it: who was met just before, else None.
-
-    Raises:
-        UnresolvedError: Several people were met one after the other.
-    """
-    since = len(told.steps)
-    while since and told.steps[since - 1].command.action in (*_MEETS, *_ADDRESSES):
-        since -= 1
-    met = dict.fromkeys(
-        one.of for one in told.people if one.task >= since and one.role in ("walk", "person", "found")
-    )
-    if len(met) > 1 or any(one.count != 1 for one in met):
-        raise ask("to whom?", ["me", *(str(one.kind) for one in met)])
-    return next(iter(met), None)
+    person = met(told, "walk") if of.name is not None else None
+    named = dict.fromkeys(str(one.of.kind) for one in told.named if one.of.sort in ("person", "name"))
+    came = told.last_action == "walk_to" and [one.sort for one in told.walks[-1:]] == ["me"]
+    if person is None and (named or (of.name == "met" and not came)):
+        raise ask("to whom?", ["me", *named])
+    return person or Nominal("me", of.kind)

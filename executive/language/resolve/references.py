@@ -7,18 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from executive.language.phrases.handled_thing import PREVIOUS
-from executive.language.phrases.values import Bundle, Clause, Draft, Nominal, Trouble
-from executive.language.resolve.antecedents import (
-    LOOKS,
-    OPENS,
-    door_of,
-    in_hand,
-    it,
-    of_one_kind,
-    other_door,
-    said_again,
-    several,
-)
+from executive.language.phrases.values import Bundle, Clause, Draft, Nominal, Relative, Trouble
+from executive.language.resolve import antecedents, people, places
+from executive.language.resolve.antecedents import LOOKS, OPENED, OPENS
 from executive.language.resolve.discourse import (
     PUTS_DOWN,
     THINGS,
@@ -30,20 +21,9 @@ from executive.language.resolve.discourse import (
 )
 from executive.language.resolve.guards import Order, trouble_after, trouble_with
 from executive.language.resolve.kinds import TAKES_SEVERAL, task_type
-from executive.language.resolve.people import all_of_them, person_meant, spoken_to, where_found
-from executive.language.resolve.places import (
-    described,
-    destination,
-    implied_source,
-    inside_of,
-    on_a_shelf,
-    place,
-    put_there,
-    there,
-    walked_to,
-)
 from executive.language.resolve.statements import taking_up
 from executive.meaning import Command
+from trees.beliefs.grounding.articles import with_article
 from trees.tasks import FindTask, ObjectOf
 
 __all__ = ["UnresolvedError", "commands_of", "description_of"]
@@ -51,19 +31,21 @@ __all__ = ["UnresolvedError", "commands_of", "description_of"]
 _TO_EACH = frozenset({"wave", "say", "greet", "answer", "look_at", "point_at"})
 """What is done to several people one after the other."""
 
+_DONE_ONCE = frozenset({"walk_to", "find", "place", "put_in", *OPENS})
+"""What need not be done again right after it was done."""
+
 _ASIDE = frozenset(
     {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in", "together"}
     | {"lifts", "reaches", "reports", "one_of", "fetched", "lets_go"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 
-_Slots = dict[str, Any]
+PeopleIn = Callable[[str], Sequence[Nominal]]
+"""Who is named in words that are to be said."""
 
 
 def commands_of(
-    clauses: Sequence[Clause],
-    people_in: Callable[[str], Sequence[Nominal]] = lambda _text: (),
-    remembers: bool = False,
+    clauses: Sequence[Clause], people_in: PeopleIn = lambda _text: (), remembers: bool = False
 ) -> tuple[Command, ...]:
     """The commands of clauses, in order.
 
@@ -82,47 +64,33 @@ def commands_of(
         if clause.mention is not None and stated is not None:
             raise ask("which of them is meant?")
         stated = clause.mention or stated
-        _for_whom(told, clause)
+        if not clause.bundles and any(one.is_person for one in clause.about) and _is_for_nobody(told):
+            raise ask("to whom?")  # "bring a blanket, Grandma is cold"
         for named in (*clause.about, *clause.said_before):
             told = told.naming(named, "about")
         for bundle in clause.bundles:
-            drafts = bundle if stated is None else taking_up(told, bundle, stated)
+            taken = bundle if stated is None else taking_up(told, bundle, stated)
             told = told if stated is None else told.naming(stated.of, "about")
             stated = None
-            for each in _for_each(told, drafts):
+            for each in _for_each(told, taken):
                 told = _with_bundle(told, each, clause.text, people_in)
     if stated is not None or not told.steps:
         raise UnresolvedError(Trouble("something is stated that no task follows from"))
     trouble = trouble_after(told)
     if trouble is not None:
         raise UnresolvedError(trouble)
-    return told.commands
+    return tuple(step.command for step in told.steps)
 
 
 def description_of(nominal: Nominal) -> Any:
-    """A nominal that refers to nothing else, as the value of a slot.
-
-    Raises:
-        UnresolvedError: It does.
-    """
-    return described(Discourse(), nominal)
+    """A nominal that refers to nothing else, as the value of a slot; raises UnresolvedError if it does."""
+    return places.described(Discourse(), nominal)
 
 
-def _for_whom(told: Discourse, clause: Clause) -> None:
-    """Check that nobody is stated to need what was just brought to nobody: "bring a blanket, Grandma is cold".
-
-    Raises:
-        UnresolvedError: Somebody is.
-    """
-    people = [str(one.kind) for one in clause.about if one.is_person and not clause.bundles]
-    if people and told.steps and _is_for_nobody(told.steps[-1].said):
-        raise ask("to whom?", ["me", *people])
-
-
-def _is_for_nobody(said: Draft) -> bool:
-    """Whether nobody is said to get it: "bring the cup"."""
-    to = said.get("to")
-    return said.action == "hand_over" and isinstance(to, Nominal) and to.reference == "asker"
+def _is_for_nobody(told: Discourse) -> bool:
+    """Whether the last task brings something, and nobody is said to get it: "bring the cup"."""
+    to = told.steps[-1].said.get("to") if told.last_action == "hand_over" else None
+    return isinstance(to, Nominal) and to.reference == "asker"
 
 
 def _for_each(told: Discourse, bundle: Bundle) -> Iterator[Bundle]:
@@ -133,28 +101,27 @@ def _for_each(told: Discourse, bundle: Bundle) -> Iterator[Bundle]:
         slots = tuple(("person" if name == "object" else name, value) for name, value in first.slots)
         first, thing, person = replace(first, slots=slots), None, thing  # "find a person and look at them"
     if is_them(person) and first.action in _TO_EACH:
-        yield from ((first.replacing("person", one), *rest) for one in all_of_them(told, person) or (person,))
+        for one in people.all_of_them(told, person) or [person]:
+            yield (first.replacing("person", one), *rest)
     elif is_them(thing):
-        for root in several(told, thing, first.action):
+        for root in antecedents.several(told, thing, first.action):
             yield (first.replacing("object", ObjectOf(root)), *rest)
     else:
         yield (first, *rest)
 
 
-def _with_bundle(
-    told: Discourse, bundle: Bundle, text: str, people_in: Callable[[str], Sequence[Nominal]]
-) -> Discourse:
+def _with_bundle(told: Discourse, bundle: Bundle, text: str, people_in: PeopleIn) -> Discourse:
     """With tasks that are done one after the other to the same thing."""
     last: ObjectOf | None = None
     for each in bundle:
         one = each.replacing("object", last) if each.get("object") == PREVIOUS else each
-        if one.get("fetched"):
-            meant = _fetched(told, one)
-            one = one if meant is None else one.replacing("object", meant)
-            told = told if meant is None else _not_given_yet(told, meant, one)
-            if meant is not None and meant.task in told.held and one.get("source") is None:
-                last = meant
-                continue
+        meant = _fetched(told, one) if one.get("fetched") else None
+        if meant is not None:
+            one = one.replacing("object", meant)
+            told = _not_given_yet(told, one, meant.task)
+        if meant is not None and meant.task in told.held and one.get("source") is None:
+            last = meant
+            continue
         last, told = _with_task(told, one, text)
         for person in people_in(one.get("text") or ""):  # "her" who is told is none of them
             told = told.naming(person, "quoted")
@@ -162,227 +129,194 @@ def _with_bundle(
 
 
 def _fetched(told: Discourse, one: Draft) -> ObjectOf | None:
-    """What is brought somewhere, if it was named before.
-
-    Raises:
-        UnresolvedError: It may be another one than what is in the hand.
-    """
+    """What is brought somewhere, if it was named before; not another one than what is in the hand."""
     thing = one.get("object")
     if not isinstance(thing, Nominal):
         return thing if isinstance(thing, ObjectOf) else None
-    if thing.reference:
-        meant = it(told, thing, "pick")
-        if not isinstance(meant, ObjectOf) or (told.held and meant.task not in told.held):
-            raise ask("which of them does 'it' stand for?")
-        return meant
-    held = in_hand(told, thing, one.get("source"))
-    return held if held is not None or thing.is_place else _same_thing(told, one, thing)
+    if not thing.reference:
+        held = antecedents.in_hand(told, thing, one.get("source"))
+        return held if held is not None or thing.is_place else _same_thing(told, one, thing)
+    meant = antecedents.it(told, thing, "pick")
+    if not isinstance(meant, ObjectOf) or (told.held and meant.task not in told.held):
+        raise ask("which of them does 'it' stand for?")
+    return meant
 
 
 def _same_thing(told: Discourse, one: Draft, thing: Nominal) -> ObjectOf | None:
-    """What a noun was said of before, unless it is said to be at another place than that.
-
-    Raises:
-        UnresolvedError: It was given away since.
-    """
-    before = said_again(told, thing)
-    if not isinstance(before, ObjectOf):
+    """What a noun was said of before, unless it is said to be at another place than that."""
+    before, source = antecedents.said_again(told, thing), one.get("source")
+    if not isinstance(before, ObjectOf) or (source is not None and source != told.source_of(before.task)):
         return None
-    source = one.get("source")
-    if source is not None and not thing.whose and source != told.source_of(before.task):
-        return None
-    if before.task in told.given and not thing.whose:
+    if before.task in told.given:
         raise ask(f"the {thing.kind} is given away by then: is another one meant?")
     return before
 
 
-def _not_given_yet(told: Discourse, meant: ObjectOf, one: Draft) -> Discourse:
-    """Without a hand-over that nobody asked for: "bring the blanket and put it on the bed".
-
-    Raises:
-        UnresolvedError: It was asked for, so that the thing is given away by now.
-    """
-    if meant.task not in told.given or one.get("source") is not None:
+def _not_given_yet(told: Discourse, one: Draft, root: int) -> Discourse:
+    """Without a hand-over that nobody asked for: "bring the blanket and put it on the bed"."""
+    if root not in told.given or one.get("source") is not None:
         return told
-    last = told.steps[-1]
-    if last.root != meant.task or not _is_for_nobody(last.said):
+    if told.steps[-1].root != root or not _is_for_nobody(told):
         raise ask("it is given away by then: shall it be taken back first?")
     return replace(told, steps=told.steps[:-1])
 
 
 def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discourse]:
-    """What a task is done to, and the discourse with it, unless it is done already.
-
-    Raises:
-        UnresolvedError: It is not clear what is meant.
-    """
+    """What a task is done to, and the discourse with it, unless it is done already."""
     if one.get("one_of") is not None:  # "find some cups", which only counting them makes clear
         raise UnresolvedError(Trouble(one.get("one_of"), asks=True, rivals=True))
     named, value = _object_of(told, one)
-    task = len(told.steps)
-    root = value.task if isinstance(value, ObjectOf) else task
+    root = value.task if isinstance(value, ObjectOf) else len(told.steps)
     if one.action in PUTS_DOWN and isinstance(value, ObjectOf):
-        told = _not_given_yet(told, value, one)
-        task = len(told.steps)
+        told = _not_given_yet(told, one, root)
     if named is None and _is_so_already(told, one, root):
         return ObjectOf(root), told
     trouble = trouble_with(told, Order(one, named, root))
     if trouble is not None:
         raise UnresolvedError(trouble)
     before = told
-    if named is not None:
-        told = replace(told.naming(named, "object"), kind=named if named.kind is not None else told.kind)
-    elif isinstance(value, ObjectOf):
-        told = _again(told, root)
-    slots: _Slots = {} if one.get("object") is None else {"object": value}
+    told = _acting_on(told, named, root)
+    slots = {} if value is None else {"object": value}
     for name, said in one.slots:
         if name != "object" and name not in _ASIDE:
             told = _with_slot(told, one, name, said, root, slots)
     for also in one.get("together") or ():
         told = told.naming(also, "about")
-    if "source" not in slots and named is not None:
-        implied = implied_source(before, one, named)
-        if implied is not None:
-            slots["source"] = implied[1]
-            told = told.naming(implied[0], "taken", root)
-    if "count" in slots and (isinstance(value, ObjectOf) or one.action not in TAKES_SEVERAL):
-        if not isinstance(value, ObjectOf):
-            raise ask("which one is meant?")
+    implied = None if named is None or "source" in slots else places.implied_source(before, one, named)
+    if implied is not None:
+        slots["source"] = implied[1]
+        told = told.naming(implied[0], "taken", root)
+    if "count" in slots and isinstance(value, ObjectOf):
         del slots["count"]  # "the two cups, ... the cups": as many as there were
+    elif "count" in slots and one.action not in TAKES_SEVERAL:
+        raise ask("which one is meant?")
     command = task_type(slots.pop("action", one.action))(text, **slots)
     if before.steps and _is_done(before.steps[-1].command, command):
         return ObjectOf(root), before
     return ObjectOf(root), replace(told, steps=(*told.steps, Step(command, one, root, told.clause)))
 
 
-def _again(told: Discourse, root: int) -> Discourse:
-    """With a thing that a task acted on before, as one that is named now."""
-    thing = next((one for one in told.things if one.task == root), None)
-    return told if thing is None else replace(told, named=(*told.named, replace(thing, clause=told.clause)))
+def _acting_on(told: Discourse, named: Nominal | None, root: int) -> Discourse:
+    """With the thing of a task, which was named anew or which a task acted on before."""
+    if named is not None:
+        return replace(told.naming(named, "object"), kind=named if named.kind is not None else told.kind)
+    again = [replace(one, clause=told.clause) for one in told.things if one.task == root]
+    return replace(told, named=(*told.named, *again[:1]))
 
 
 def _is_so_already(told: Discourse, one: Draft, root: int) -> bool:
     """Whether what is in the hand is only lifted, or stays where it was put: "leave it there"."""
     if one.action == "pick":
         return root in told.held and all(name in ("object", "lifts", "reaches") for name, _ in one.slots)
-    stays = bool(one.get("stays")) and one.get("there") is not None
-    return stays and root in told.placed and root not in told.held
+    put = [step for step in told.steps if step.root == root and step.command.action in ("place", "put_in")]
+    return bool(put) and one.get("stays") and one.get("there") is not None and root not in told.held
 
 
-def _is_done(last: Command, command: Command) -> bool:
+def _is_done(last: Command, command: Any) -> bool:
     """Whether the task before walks to the same place, opens or closes the same, or finds it."""
-    if command.action not in ("walk_to", "find", "place", "put_in", *OPENS) or last.action != command.action:
+    if command.action not in _DONE_ONCE or last.action != command.action:
         return False
     if isinstance(command, FindTask) and command.person is None:
         return isinstance(command.object, ObjectOf)
-    return replace(command, text=last.text) == last  # type: ignore[type-var]
+    return bool(replace(command, text=last.text) == last)
 
 
 def _object_of(told: Discourse, one: Draft) -> tuple[Nominal | None, Any]:
-    """The thing of a task: what was named anew, if it was, and the value of the slot.
-
-    Raises:
-        UnresolvedError: It is not clear which one it is.
-    """
+    """The thing of a task: what was named anew, if it was, and the value of the slot."""
     thing = one.get("object")
     if not isinstance(thing, Nominal):
         return None, thing
     if one.get("inside"):
-        return None, inside_of(told)
+        return None, places.inside_of(told)
     if thing.is_bare_one:
         raise ask("which object is meant?")
-    if thing.reference:
-        before: Any = it(told, thing, one.action)
-    else:
-        before = said_again(told, thing)
-        before = _same_thing(told, one, thing) if isinstance(before, ObjectOf) else before
-        if before is None and one.action in PUTS_DOWN and not thing.is_plain and one.get("source") is None:
-            before = None if thing.indefinite else in_hand(told, thing)  # by then another one is on the left
-    if isinstance(before, ObjectOf):
-        return None, before
+    before: Any = antecedents.it(told, thing, one.action) if thing.reference else _before(told, one, thing)
     thing = before or thing
-    if one.action in OPENS:
-        thing = other_door(told, thing, one.action) if thing.anaphoric else door_of(told, thing, one.action)
-        if isinstance(thing, ObjectOf):
-            return None, thing
+    if isinstance(thing, Nominal) and one.action in OPENS:
+        thing = antecedents.door_of(told, thing, one.action)
+    if isinstance(thing, ObjectOf):
+        return None, thing
     named = told.same_kind(thing)
     if thing.anaphoric:
-        of_one_kind(told, *(each.of for each in told.recent(("thing",))))
-    return named, described(told, named)
+        opens = one.action in OPENS
+        antecedents.of_one_kind(told, *(each.of for each in told.recent(OPENED if opens else ("thing",))))
+        what = named.kind or "thing"
+        if opens and named.sort not in OPENED and thing.ordinal != "other":
+            message = f"to {one.action} {with_article(what)} ({what!r}) is nothing that this robot can do"
+            raise UnresolvedError(Trouble(message, what))
+    return named, places.described(told, named)
 
 
-def _with_slot(told: Discourse, one: Draft, name: str, said: Any, root: int, slots: _Slots) -> Discourse:
-    """With a slot filled, and the discourse with what it names.
+def _before(told: Discourse, one: Draft, thing: Nominal) -> Nominal | ObjectOf | None:
+    """What a noun was said of before; what is put down in the words it was taken by is that very thing."""
+    before = antecedents.said_again(told, thing)
+    if isinstance(before, ObjectOf):
+        return _same_thing(told, one, thing)
+    put_down = one.action in PUTS_DOWN and not thing.is_plain and not thing.indefinite
+    return antecedents.in_hand(told, thing) if put_down and one.get("source") is None else before
 
-    Raises:
-        UnresolvedError: It is not clear what is meant.
-    """
+
+def _with_slot(
+    told: Discourse, one: Draft, name: str, said: Any, root: int, slots: dict[str, Any]
+) -> Discourse:
+    """With a slot filled, and the discourse with what that names."""
     if name == "there":
-        slots.update(put_there(told, said, root))
-        return told
-    if name == "text":
+        slots.update(places.put_there(told, said, root))
+    elif name == "text":
         slots["words"] = said
-        return told
-    if not isinstance(said, Nominal) and name not in ("to", "on"):
+    elif not isinstance(said, Nominal | Relative):
         slots[name] = said
-        return told
-    if name in ("person", "of"):
+    elif name in ("person", "of") and isinstance(said, Nominal):
         return _with_person(told, one, name, said, slots)
-    if name == "source":
-        of = there(told, said, root) if said.reference == "there" else _as_before(told, said)
-        slots[name] = place(told, of, root)
+    elif name == "source" and isinstance(said, Nominal):
+        of = places.there(told, said, root) if said.reference == "there" else places.as_before(told, said)
+        slots[name] = places.place(told, of, root)
         return told.naming(of, "taken" if isinstance(slots[name], ObjectOf) else "source", root)
-    if one.action == "walk_to":
-        slots[name], walked = walked_to(told, _as_before(told, said))
+    elif one.action == "walk_to":
+        slots[name], walked = places.walked_to(told, places.as_before(told, said))
         return told if isinstance(slots[name], ObjectOf) else _walking(told, walked)
-    return _with_goal(told, one, name, said, root, slots)
+    else:
+        return _with_goal(told, one, name, said, root, slots)
+    return told
 
 
-def _with_goal(told: Discourse, one: Draft, name: str, said: Any, root: int, slots: _Slots) -> Discourse:
+def _with_goal(
+    told: Discourse, one: Draft, name: str, said: Nominal | Relative, root: int, slots: dict[str, Any]
+) -> Discourse:
     """With where a thing or a person goes."""
-    of = _as_before(told, said)
+    of = places.as_before(told, said)
     if of is not said and of == told.source_of(root):
         raise ask(f"the same {of.kind}, or another one?")  # "from the big table ... on the table"
-    if is_them(of) and one.action == "hand_over":
-        of = person_meant(told, of)
-    slots[name] = goal = place(told, of, root, into=one.action == "put_in")
+    of = people.person_meant(told, of) if is_them(of) and one.action == "hand_over" else of
+    slots[name] = goal = places.place(told, of, root, into=one.action == "put_in")
     if ObjectOf(root) in (goal, getattr(getattr(goal, "relation", None), "to", None)):
         raise ask("is it the same one twice? say how they differ")
-    if not isinstance(of, Nominal):
-        return told.naming(of, "by")
-    return told.naming(of, "again" if isinstance(goal, ObjectOf) else "goal")
+    return told.naming(
+        of, "by" if isinstance(of, Relative) else "again" if isinstance(goal, ObjectOf) else "goal"
+    )
 
 
-def _as_before(told: Discourse, of: Any) -> Any:
-    """A place or a person as it was told before."""
-    if isinstance(of, Nominal) and (of.is_place or of.sort == "person"):
-        before = said_again(told, of)
-        of = before if isinstance(before, Nominal) else of
-    return on_a_shelf(told, of)
-
-
-def _walking(told: Discourse, to: Any) -> Discourse:
+def _walking(told: Discourse, to: Nominal | Relative | None) -> Discourse:
     """With where the robot goes; a thing there is "it" when nothing was handled before."""
     if not isinstance(to, Nominal):
         return told.naming(to, "beside")
-    first = all(told.commands[one.task].action == "walk_to" for one in told.things)
-    if to.sort == "thing" and not to.reference and to.is_single and first:
-        told = told.naming(to, "object")
-    return told.naming(to, "walk")
+    first = all(told.steps[one.task].command.action == "walk_to" for one in told.things)
+    is_it = to.sort == "thing" and not to.reference and to.is_single and first
+    return (told.naming(to, "object") if is_it else told).naming(to, "walk")
 
 
-def _with_person(told: Discourse, one: Draft, name: str, of: Nominal, slots: _Slots) -> Discourse:
-    """With whom a task is about or whom it is done to."""
-    place_said = one.get("source")
+def _with_person(told: Discourse, one: Draft, name: str, of: Nominal, slots: dict[str, Any]) -> Discourse:
+    """With whom a task is about or to whom it is done: where nobody is said to hear it, who was just met."""
+    source = one.get("source")
     if of.reference == "asker":  # "find Ana and say the time"
-        met = spoken_to(told)
-        slots.update({} if met is None else {name: destination(told, met)})
+        met = people.met(told, "walk", "person", "found")
+        slots.update({} if met is None else {name: places.destination(told, met)})
         return told
     if one.get("count") is None:
-        of = person_meant(told, of, anew=place_said is not None)
-        slots[name] = destination(told, of)
+        of = people.person_meant(told, of, anew=source is not None)
+        slots[name] = places.destination(told, of)
     else:  # several people are only looked for
-        slots[name] = described(told, of)
-    if one.action == "find" and isinstance(place_said, Nominal):
-        return where_found(told, of, place_said)
+        slots[name] = places.described(told, of)
+    if one.action == "find" and isinstance(source, Nominal):
+        return people.where_found(told, of, source)
     return told.naming(of, "person")
