@@ -48,7 +48,8 @@ def _opened(told: Discourse) -> Nominal | ObjectOf:
     named = [one.of for one in told.places if one.of.sort in OPENED and one.of not in acted]
     if not recent and not named:  # "walk in front of the fridge and open it"
         named = [one.of for one in told.as_named("beside") if one.of.sort in OPENED]
-    meant = [*(ObjectOf(one.task) for one in recent), *dict.fromkeys(named)]
+    acted_on = [ObjectOf(one.task) for one in recent]
+    meant: list[Nominal | ObjectOf] = [*acted_on, *dict.fromkeys(named)]
     if len(meant) != 1:
         raise ask("what does 'it' stand for?")
     return meant[0]
@@ -76,8 +77,13 @@ def several(told: Discourse, of: Nominal, action: str) -> list[int]:
 
 def said_again(told: Discourse, of: Nominal) -> Nominal | ObjectOf | None:
     """What a noun is said of again, with less than before: "the drawer" after "the left drawer"."""
-    if of.whose in listed("pointing") and any(one.of.kind == of.kind for one in told.named):
-        raise ask(f"which {of.kind} is meant by {of.whose!r}?")
+    if of.whose in listed("pointing"):
+        same = {one.of: one for one in told.named if one.of.kind == of.kind}
+        if len(same) > 1 or any(
+            one.clause == told.clause or one.is_several or one.of.whose for one in same.values()
+        ):
+            raise ask(f"which {of.kind} is meant by {of.whose!r}?")
+        return next((ObjectOf(one.task) if one.role == "object" else one.of for one in same.values()), None)
     if of.kind is None or not may_be_said_again(of):
         return None
     before = [one for one in told.named if one.clause < told.clause]
@@ -173,7 +179,7 @@ def door_of(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
     if not near and (moved or not any(one.of.kind in doors for one in told.places)):
         return of
     closed = "close" in moved and not standing
-    left = near == list(standing) and told.actions(min(standing.values())) & LEAVES and near[0] not in lately
+    left = bool(near) and near[0] not in lately and told.actions(standing.get(near[0], 0)) & LEAVES
     if len(near) != 1 or closed or left or any(one.of.kind in listed("door") for one in told.things):
         raise ask("which door?", [f"the door of the {one.kind}" for one in near])
     return ObjectOf(standing[near[0]]) if near[0] in standing else near[0]

@@ -26,6 +26,7 @@ MOVES = frozenset({"pick", *PUTS_DOWN})
 LEAVES = frozenset({"walk_to", "move", "go_home", "follow", "guide"})
 """Tasks after which the robot is elsewhere."""
 
+_PLACES = frozenset({"furniture", "container", "door", "room"})
 _PEOPLE = frozenset({"person", "name"})
 _TOLD_APART = frozenset({"thing", "furniture", "container"})
 
@@ -117,9 +118,15 @@ class Discourse:
         gave = {step.root for step in self.steps if step.command.action == "hand_over"}
         return frozenset(gave.difference(self.held))
 
-    def as_named(self, *roles: Role) -> tuple[Named, ...]:
-        """What was named so."""
-        return tuple(one for one in self.named if one.role in roles)
+    @property
+    def placed(self) -> frozenset[int]:
+        """The first tasks of the things that were put down and not taken since."""
+        puts = {step.root for step in self.steps if step.command.action in ("place", "put_in")}
+        return frozenset(puts.difference(self.held))
+
+    def as_named(self, *roles: Role, sorts: Collection[str] = ()) -> tuple[Named, ...]:
+        """What was named so, of some sorts or of any."""
+        return tuple(one for one in self.named if one.role in roles and (not sorts or one.of.sort in sorts))
 
     @property
     def things(self) -> tuple[Named, ...]:
@@ -128,26 +135,24 @@ class Discourse:
 
     def recent(self, sorts: Collection[str] = (), but: int | None = None) -> list[Named]:
         """The things of some sorts, or of any, in the latest clause that has any; not those of one task."""
-        fitting = [one for one in self.things if one.task != but and (not sorts or one.of.sort in sorts)]
+        fitting = [one for one in self.as_named("object", sorts=sorts) if one.task != but]
         latest = max((one.clause for one in fitting), default=-1)
         return list({one.task: one for one in fitting if one.clause == latest}.values())
 
     @property
     def places(self) -> tuple[Named, ...]:
-        """Furniture, containers, doors and rooms that are gone to, put to, taken from, opened or spoken of."""
-        named = self.as_named("object", "goal", "source", "walk", "about")
-        return tuple(one for one in named if one.of.is_place)
+        """Furniture, containers, doors and rooms that are gone to, put to, taken from or spoken of."""
+        return self.as_named("object", "goal", "source", "walk", "about", sorts=_PLACES)
 
     @property
     def mentioned(self) -> tuple[Named, ...]:
         """Things that nothing is done to: where others go, come from and are."""
-        named = self.as_named("goal", "by", "source", "walk", "beside")
-        return tuple(one for one in named if one.of.sort in THINGS)
+        return self.as_named("goal", "by", "source", "walk", "beside", sorts=THINGS)
 
     @property
     def people(self) -> tuple[Named, ...]:
         """Who was named; where somebody of a name was, does not tell who it is."""
-        people = (one for one in self.named if one.of.sort in _PEOPLE and one.role not in ("by", "beside"))
+        people = self.as_named("goal", "source", "walk", "person", "found", "quoted", "about", sorts=_PEOPLE)
         return tuple(
             replace(one, of=replace(one.of, relation=None)) if one.of.sort == "name" else one
             for one in people
@@ -175,7 +180,7 @@ class Discourse:
         return found
 
     def same_kind(self, of: Nominal) -> Nominal:
-        """With the kind of what was handled before, for "the blue one"; asked where only places were named."""
+        """With the kind of what was handled before, for "the blue one"."""
         if not of.anaphoric:
             return of
         if self.kind is None and (self.places or self.people):
@@ -204,6 +209,21 @@ class Discourse:
         told = replace(self, named=(*self.named, named), kind=of if placed else self.kind)
         told = told if role == "about" else told.naming(of.owner, "about", task)
         return told.naming(of.relation, "beside", task)
+
+    def acting_on(self, of: Nominal | None, root: int) -> Discourse:
+        """With the thing of a task, which is named anew, or which a task acted on before."""
+        if of is not None:
+            return replace(self.naming(of, "object"), kind=of if of.kind is not None else self.kind)
+        again = [replace(one, clause=self.clause) for one in self.things if one.task == root]
+        return replace(self, named=(*self.named, *again[:1]))
+
+    def walking(self, to: Nominal | Relative | None) -> Discourse:
+        """With where the robot goes; a thing there is "it" when nothing was handled before."""
+        if isinstance(to, Relative):
+            return self.naming(to, "beside")
+        first = all(self.steps[one.task].command.action == "walk_to" for one in self.things)
+        is_it = to is not None and to.sort == "thing" and to.is_single and first
+        return (self.naming(to, "object") if is_it else self).naming(to, "walk")
 
     def _called_apart(self, of: Nominal) -> None:
         for one in self.named:

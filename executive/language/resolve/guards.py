@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
-from executive.language.resolve.antecedents import in_hand, may_be_said_again, says_more
-from executive.language.resolve.discourse import PUTS_DOWN, THINGS, Discourse
+from executive.language.resolve.antecedents import OPENED, in_hand, may_be_said_again, says_more
+from executive.language.resolve.discourse import PUTS_DOWN, Discourse, Step
 from executive.references import references
 from trees.tasks import FindTask, ObjectOf
 
@@ -56,18 +56,17 @@ def trouble_after(told: Discourse) -> Trouble | None:
     if any(references(command) & several for command in commands):
         return _asked("which one of those that are found is meant?")
     for root in told.held:  # "take the red cup to the kitchen, take the blue one too"
-        verb, kind = _verb_and_kind(told, root)
-        carried = [step.root for step in told.steps[:root] if step.command.action in PUTS_DOWN]
-        if any(
-            (verb, kind) == _verb_and_kind(told, one) for one in carried if commands[one].action == "pick"
-        ):
-            return _asked("where shall it go?")
+        for put in (step for step in told.steps[:root] if step.command.action in PUTS_DOWN):
+            took = told.steps[put.root]
+            carried = put.command.text == took.command.text
+            if carried and _verb_and_kind(took) == _verb_and_kind(told.steps[root]):
+                return _asked("where shall it go?")
     return None
 
 
-def _verb_and_kind(told: Discourse, task: int) -> tuple[str, str | None]:
-    command = told.steps[task].command
-    return command.text.lower().partition(" ")[0], getattr(getattr(command, "object", None), "kind", None)
+def _verb_and_kind(step: Step) -> tuple[str, str | None]:
+    thing = getattr(step.command, "object", None)
+    return step.command.text.lower().partition(" ")[0], getattr(thing, "kind", None)
 
 
 def _asked(message: str) -> Trouble:
@@ -134,15 +133,15 @@ def _one_of_several(told: Discourse, order: Order) -> Trouble | None:
 def _among_the_same(told: Discourse, order: Order) -> Trouble | None:
     """The biggest cup on the table and the smallest: whether that is on the table too."""
     before = told.things[-1] if told.things else None
-    if before is None or before.of.sort not in THINGS:
+    said = [order.goal, order.said.get("object") if order.said.get("source") is None else None]
+    others = [of for of in said if isinstance(of, Nominal) and of.anaphoric and of.relation is None]
+    if before is None or not others:
         return None
     stated = any(one.of.kind == before.of.kind and one.is_several for one in told.as_named("about"))
     placed = before.of.relation is not None or told.source_of(before.task) is not None
-    for of, source in ((order.said.get("object"), order.said.get("source")), (order.goal, None)):
-        another = isinstance(of, Nominal) and of.anaphoric and of.relation is None and source is None
-        if another and (stated or (placed and _is_ranked(before.of) and _is_ranked(of))):
-            return _asked("which one is meant?")
-    return None
+    ranked = before.of.sort in OPENED or _is_ranked(before.of)
+    doubt = placed and (stated or (ranked and any(_is_ranked(of) for of in others)))
+    return _asked("which one is meant?") if doubt else None
 
 
 def _is_ranked(of: Nominal) -> bool:

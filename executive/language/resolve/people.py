@@ -6,16 +6,17 @@ from dataclasses import replace
 
 from executive.language.phrases.values import SEATS, Nominal, Relative
 from executive.language.resolve.antecedents import said_again
-from executive.language.resolve.discourse import Discourse, Role, ask, is_them
+from executive.language.resolve.discourse import Discourse, ask, is_them
 from executive.language.resolve.kinds import listed
 from trees.tasks import RelationKind
 
 _PRONOUNS = ("him", "her")
 """Lists of those of whom a pronoun is said."""
 
-_MEETS = frozenset({"walk_to", "find", "follow", "guide", "greet"})
-_ADDRESSES = frozenset({"wave", "say", "look_at", "point_at", "answer", "tell"})
-"""What is done to somebody who stays in front of the robot."""
+_FACES = frozenset(
+    {"walk_to", "find", "follow", "guide", "greet", "wave", "say", "look_at", "point_at", "answer", "tell"}
+)
+"""Tasks after which the robot is with somebody."""
 
 
 def may_be(pronoun: str, person: Nominal) -> bool:
@@ -67,16 +68,17 @@ def where_found(told: Discourse, person: Nominal, place: Nominal) -> Discourse:
     return replace(told, named=tuple(one for one in told.named if one.of != person)).naming(found, "found")
 
 
-def met(told: Discourse, *roles: Role) -> Nominal | None:
-    """Whom the robot met by its last tasks, as one who was named so, or None.
+def met(told: Discourse) -> Nominal | None:
+    """Whom the robot met by its last tasks, or None.
 
     Raises:
         UnresolvedError: It met several people, one after the other.
     """
     since = len(told.steps)
-    while since and told.steps[since - 1].command.action in (*_MEETS, *_ADDRESSES):
+    while since and told.steps[since - 1].command.action in _FACES:
         since -= 1
-    people = dict.fromkeys(one.of for one in told.people if one.task >= since and one.role in roles)
+    named = told.as_named("walk", "person", "found", sorts=("person", "name"))
+    people = dict.fromkeys(one.of for one in named if one.task >= since)
     if len(people) > 1 or any(one.count != 1 for one in people):
         raise ask("to whom?", ["me", *(str(one.kind) for one in people)])
     return next(iter(people), None)
@@ -88,9 +90,11 @@ def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
     Raises:
         UnresolvedError: Somebody else was named, who may be meant.
     """
-    person = met(told, "walk") if of.name is not None else None
+    person = met(told) if of.name is not None else None
     named = dict.fromkeys(str(one.of.kind) for one in told.named if one.of.sort in ("person", "name"))
-    came = told.last_action == "walk_to" and [one.sort for one in told.walks[-1:]] == ["me"]
-    if person is None and (named or (of.name == "met" and not came)):
+    last = told.walks[-1:]
+    if person is not None and last == [person]:
+        return person
+    if named or (of.name == "met" and (told.last_action != "walk_to" or not last or last[0].sort != "me")):
         raise ask("to whom?", ["me", *named])
-    return person or Nominal("me", of.kind)
+    return Nominal("me", of.kind)

@@ -33,11 +33,11 @@ def described(told: Discourse, of: Nominal) -> ObjectDescription | str:
         return str(of.kind)
     if of.sort == "name":
         of = replace(of, kind=None, name=of.kind)
-    if (
-        relation is not None and relation.to.reference == "there"
-    ):  # "the door there", of the room that was gone to
+    if relation is not None and relation.to.reference == "there":  # "the door there"
         room = there(told, relation.to, -1)
-        relation = Relative("in", room) if room.sort == "room" else relation
+        if room.sort != "room":
+            raise ask("which place does 'there' stand for?")
+        relation = Relative("in", room)
     if of.kind is not None and not of.is_place:
         told = replace(told, kind=of)
     beside = None if relation is None else Relation(relation.kind, _neighbor(told, relation.to))

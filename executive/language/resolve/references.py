@@ -40,6 +40,8 @@ _ASIDE = frozenset(
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 
+_Slots = dict[str, Any]
+
 PeopleIn = Callable[[str], Sequence[Nominal]]
 """Who is named in words that are to be said."""
 
@@ -115,40 +117,34 @@ def _with_bundle(told: Discourse, bundle: Bundle, text: str, people_in: PeopleIn
     last: ObjectOf | None = None
     for each in bundle:
         one = each.replacing("object", last) if each.get("object") == PREVIOUS else each
-        meant = _fetched(told, one) if one.get("fetched") else None
-        if meant is not None:
+        meant = _before(told, one) if one.get("fetched") else None
+        if isinstance(meant, ObjectOf):
             one = one.replacing("object", meant)
             told = _not_given_yet(told, one, meant.task)
-        if meant is not None and meant.task in told.held and one.get("source") is None:
-            last = meant
-            continue
+            if meant.task in told.held and one.get("source") is None:
+                last = meant
+                continue
         last, told = _with_task(told, one, text)
         for person in people_in(one.get("text") or ""):  # "her" who is told is none of them
             told = told.naming(person, "quoted")
     return told
 
 
-def _fetched(told: Discourse, one: Draft) -> ObjectOf | None:
-    """What is brought somewhere, if it was named before; not another one than what is in the hand."""
-    thing = one.get("object")
+def _before(told: Discourse, one: Draft) -> Nominal | ObjectOf | None:
+    """What the thing of a task is, if it was named before, or picked up in these very words."""
+    thing, source = one.get("object"), one.get("source")
     if not isinstance(thing, Nominal):
         return thing if isinstance(thing, ObjectOf) else None
-    if not thing.reference:
-        held = antecedents.in_hand(told, thing, one.get("source"))
-        return held if held is not None or thing.is_place else _same_thing(told, one, thing)
-    meant = antecedents.it(told, thing, "pick")
-    if not isinstance(meant, ObjectOf) or (told.held and meant.task not in told.held):
-        raise ask("which of them does 'it' stand for?")
-    return meant
-
-
-def _same_thing(told: Discourse, one: Draft, thing: Nominal) -> ObjectOf | None:
-    """What a noun was said of before, unless it is said to be at another place than that."""
-    before, source = antecedents.said_again(told, thing), one.get("source")
-    if not isinstance(before, ObjectOf) or (source is not None and source != told.source_of(before.task)):
-        return None
-    if before.task in told.given:
+    if thing.reference:
+        return antecedents.it(told, thing, "place" if one.get("fetched") else one.action)
+    before = antecedents.said_again(told, thing)
+    if isinstance(before, ObjectOf) and before.task in told.given and source is None:
         raise ask(f"the {thing.kind} is given away by then: is another one meant?")
+    if isinstance(before, ObjectOf) and source is not None and source != told.source_of(before.task):
+        return None
+    again = one.action in PUTS_DOWN and not thing.is_plain and not thing.indefinite and source is None
+    if before is None and (again or (one.get("fetched") and not thing.is_place)):
+        return antecedents.in_hand(told, thing, source)
     return before
 
 
@@ -174,9 +170,8 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
     trouble = trouble_with(told, Order(one, named, root))
     if trouble is not None:
         raise UnresolvedError(trouble)
-    before = told
-    told = _acting_on(told, named, root)
-    slots = {} if value is None else {"object": value}
+    before, slots = told, {} if value is None else {"object": value}
+    told = told.acting_on(named, root)
     for name, said in one.slots:
         if name != "object" and name not in _ASIDE:
             told = _with_slot(told, one, name, said, root, slots)
@@ -196,20 +191,11 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
     return ObjectOf(root), replace(told, steps=(*told.steps, Step(command, one, root, told.clause)))
 
 
-def _acting_on(told: Discourse, named: Nominal | None, root: int) -> Discourse:
-    """With the thing of a task, which was named anew or which a task acted on before."""
-    if named is not None:
-        return replace(told.naming(named, "object"), kind=named if named.kind is not None else told.kind)
-    again = [replace(one, clause=told.clause) for one in told.things if one.task == root]
-    return replace(told, named=(*told.named, *again[:1]))
-
-
 def _is_so_already(told: Discourse, one: Draft, root: int) -> bool:
     """Whether what is in the hand is only lifted, or stays where it was put: "leave it there"."""
     if one.action == "pick":
         return root in told.held and all(name in ("object", "lifts", "reaches") for name, _ in one.slots)
-    put = [step for step in told.steps if step.root == root and step.command.action in ("place", "put_in")]
-    return bool(put) and one.get("stays") and one.get("there") is not None and root not in told.held
+    return bool(one.get("stays")) and one.get("there") is not None and root in told.placed
 
 
 def _is_done(last: Command, command: Any) -> bool:
@@ -230,8 +216,7 @@ def _object_of(told: Discourse, one: Draft) -> tuple[Nominal | None, Any]:
         return None, places.inside_of(told)
     if thing.is_bare_one:
         raise ask("which object is meant?")
-    before: Any = antecedents.it(told, thing, one.action) if thing.reference else _before(told, one, thing)
-    thing = before or thing
+    thing = _before(told, one) or thing
     if isinstance(thing, Nominal) and one.action in OPENS:
         thing = antecedents.door_of(told, thing, one.action)
     if isinstance(thing, ObjectOf):
@@ -240,25 +225,15 @@ def _object_of(told: Discourse, one: Draft) -> tuple[Nominal | None, Any]:
     if thing.anaphoric:
         opens = one.action in OPENS
         antecedents.of_one_kind(told, *(each.of for each in told.recent(OPENED if opens else ("thing",))))
-        what = named.kind or "thing"
         if opens and named.sort not in OPENED and thing.ordinal != "other":
-            message = f"to {one.action} {with_article(what)} ({what!r}) is nothing that this robot can do"
-            raise UnresolvedError(Trouble(message, what))
+            told_so = (
+                f"to {one.action} {with_article(named.kind or 'thing')} is nothing that this robot can do"
+            )
+            raise UnresolvedError(Trouble(told_so, named.kind))
     return named, places.described(told, named)
 
 
-def _before(told: Discourse, one: Draft, thing: Nominal) -> Nominal | ObjectOf | None:
-    """What a noun was said of before; what is put down in the words it was taken by is that very thing."""
-    before = antecedents.said_again(told, thing)
-    if isinstance(before, ObjectOf):
-        return _same_thing(told, one, thing)
-    put_down = one.action in PUTS_DOWN and not thing.is_plain and not thing.indefinite
-    return antecedents.in_hand(told, thing) if put_down and one.get("source") is None else before
-
-
-def _with_slot(
-    told: Discourse, one: Draft, name: str, said: Any, root: int, slots: dict[str, Any]
-) -> Discourse:
+def _with_slot(told: Discourse, one: Draft, name: str, said: Any, root: int, slots: _Slots) -> Discourse:
     """With a slot filled, and the discourse with what that names."""
     if name == "there":
         slots.update(places.put_there(told, said, root))
@@ -266,23 +241,21 @@ def _with_slot(
         slots["words"] = said
     elif not isinstance(said, Nominal | Relative):
         slots[name] = said
-    elif name in ("person", "of") and isinstance(said, Nominal):
+    elif isinstance(said, Nominal) and name in ("person", "of"):
         return _with_person(told, one, name, said, slots)
-    elif name == "source" and isinstance(said, Nominal):
+    elif isinstance(said, Nominal) and name == "source":
         of = places.there(told, said, root) if said.reference == "there" else places.as_before(told, said)
         slots[name] = places.place(told, of, root)
         return told.naming(of, "taken" if isinstance(slots[name], ObjectOf) else "source", root)
     elif one.action == "walk_to":
         slots[name], walked = places.walked_to(told, places.as_before(told, said))
-        return told if isinstance(slots[name], ObjectOf) else _walking(told, walked)
+        return told.walking(walked)
     else:
         return _with_goal(told, one, name, said, root, slots)
     return told
 
 
-def _with_goal(
-    told: Discourse, one: Draft, name: str, said: Nominal | Relative, root: int, slots: dict[str, Any]
-) -> Discourse:
+def _with_goal(told: Discourse, one: Draft, name: str, said: Any, root: int, slots: _Slots) -> Discourse:
     """With where a thing or a person goes."""
     of = places.as_before(told, said)
     if of is not said and of == told.source_of(root):
@@ -291,25 +264,15 @@ def _with_goal(
     slots[name] = goal = places.place(told, of, root, into=one.action == "put_in")
     if ObjectOf(root) in (goal, getattr(getattr(goal, "relation", None), "to", None)):
         raise ask("is it the same one twice? say how they differ")
-    return told.naming(
-        of, "by" if isinstance(of, Relative) else "again" if isinstance(goal, ObjectOf) else "goal"
-    )
+    again = isinstance(goal, ObjectOf)
+    return told.naming(of, "by" if isinstance(of, Relative) else "again" if again else "goal")
 
 
-def _walking(told: Discourse, to: Nominal | Relative | None) -> Discourse:
-    """With where the robot goes; a thing there is "it" when nothing was handled before."""
-    if not isinstance(to, Nominal):
-        return told.naming(to, "beside")
-    first = all(told.steps[one.task].command.action == "walk_to" for one in told.things)
-    is_it = to.sort == "thing" and not to.reference and to.is_single and first
-    return (told.naming(to, "object") if is_it else told).naming(to, "walk")
-
-
-def _with_person(told: Discourse, one: Draft, name: str, of: Nominal, slots: dict[str, Any]) -> Discourse:
+def _with_person(told: Discourse, one: Draft, name: str, of: Nominal, slots: _Slots) -> Discourse:
     """With whom a task is about or to whom it is done: where nobody is said to hear it, who was just met."""
     source = one.get("source")
     if of.reference == "asker":  # "find Ana and say the time"
-        met = people.met(told, "walk", "person", "found")
+        met = people.met(told)
         slots.update({} if met is None else {name: places.destination(told, met)})
         return told
     if one.get("count") is None:

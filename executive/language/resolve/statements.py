@@ -28,7 +28,7 @@ def taking_up(told: Discourse, bundle: Bundle, stated: Mention) -> Bundle:
     unfit = (
         opens
         or (first.action in OPENS and of.sort not in OPENED)
-        or (stated.state and not first.action in OPENS)
+        or (stated.state and first.action not in OPENS)
     )
     elsewhere = stated.source is not None and first.action not in _AT_A_PLACE
     handled = told.steps and (
