@@ -5,17 +5,18 @@ Each function raises ``UnresolvedError`` with a question where nothing fits, or 
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import Any
 
 from executive.language.phrases.values import Nominal
 from executive.language.resolve.discourse import LEAVES, MOVES, PUTS_DOWN, THINGS, Discourse, ask
 from executive.language.resolve.kinds import listed
-from trees.tasks import ObjectOf
+from trees.tasks import ObjectDescription, ObjectOf
 
 LOOKS = frozenset({"look_at", "point_at", "find", "describe"})
 OPENS = frozenset({"open", "close"})
 OPENED = frozenset({"container", "door"})
-_TOLD = ("kind", "color", "size", "material", "ordinal", "name", "relation")
+_TOLD = frozenset(one.name for one in fields(ObjectDescription))
 
 
 def it(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
@@ -123,11 +124,16 @@ def may_be_said_again(of: Nominal) -> bool:
 
 def says_more(before: Nominal, of: Nominal) -> bool:
     """Whether what was named before is the same in more words: "the red cup"."""
-    told = [name for name in _TOLD if getattr(of, name) is not None]
-    if before.kind is None or any(getattr(before, name) != getattr(of, name) for name in told):
+    said, less = told_of(before), told_of(of)
+    if "kind" not in said or any(said.get(name) != value for name, value in less.items()):
         return False
-    more = any(getattr(before, name) is not None for name in _TOLD if name not in told)
-    return more or (not before.is_single and before.count != "all")
+    return len(said) > len(less) or (not before.is_single and before.count != "all")
+
+
+def told_of(of: Nominal) -> dict[str, Any]:
+    """What a noun tells of a thing, as the slots of its description."""
+    told = {one.name: getattr(of, one.name) for one in fields(of) if one.name in _TOLD}
+    return {name: value for name, value in told.items() if value not in (None, ())}
 
 
 def _is_compound(before: Nominal, of: Nominal) -> bool:

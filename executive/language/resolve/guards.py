@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
@@ -33,11 +34,10 @@ class Order:
     root: int
 
     @property
-    def goal(self) -> Nominal | None:
+    def goal(self) -> Any:
         """How the place was said where it goes, or what that place is beside."""
         goal = self.said.get("to") or self.said.get("on")
-        goal = goal.to if isinstance(goal, Relative) else goal
-        return goal if isinstance(goal, Nominal) else None
+        return goal.to if isinstance(goal, Relative) else goal
 
 
 Guard = Callable[[Discourse, Order], Trouble | None]

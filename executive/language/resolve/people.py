@@ -1,4 +1,7 @@
-"""Who "him", "her" and "them" are, and to whom something goes or is said when nobody is named."""
+"""Who "him", "her" and "them" are, and to whom something goes or is said when nobody is named.
+
+Each function raises ``UnresolvedError`` with a question where it may be nobody, or one of several.
+"""
 
 from __future__ import annotations
 
@@ -27,11 +30,7 @@ def may_be(pronoun: str, person: Nominal) -> bool:
 
 
 def person_meant(told: Discourse, of: Nominal, *, anew: bool = False) -> Nominal:
-    """Who is meant; ``anew`` where it is said where that is: "find the guest in the hall".
-
-    Raises:
-        UnresolvedError: It may be one of several, or nobody.
-    """
+    """Who is meant; ``anew`` where it is said where that is: "find the guest in the hall"."""
     if of.reference == "him" or is_them(of):
         named = list(dict.fromkeys(one.of for one in told.people))
         people = [one for one in named if may_be(of.said, one)] or named
@@ -69,11 +68,7 @@ def where_found(told: Discourse, person: Nominal, place: Nominal) -> Discourse:
 
 
 def met(told: Discourse) -> Nominal | None:
-    """Whom the robot met by its last tasks, or None.
-
-    Raises:
-        UnresolvedError: It met several people, one after the other.
-    """
+    """Whom the robot met by its last tasks, or None."""
     since = len(told.steps)
     while since and told.steps[since - 1].command.action in _FACES:
         since -= 1
@@ -85,11 +80,7 @@ def met(told: Discourse) -> Nominal | None:
 
 
 def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
-    """Who gets a thing where nobody is said to: whom the robot walked to just before, else who speaks.
-
-    Raises:
-        UnresolvedError: Somebody else was named, who may be meant.
-    """
+    """Who gets a thing where nobody is said to: whom the robot walked to just before, else who speaks."""
     person = met(told) if of.name is not None else None
     named = dict.fromkeys(str(one.of.kind) for one in told.named if one.of.sort in ("person", "name"))
     last = told.walks[-1:]

@@ -5,12 +5,12 @@ Each function raises ``UnresolvedError`` with a question where nothing fits, or 
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 from executive.language.commands.placing import HOLDERS
 from executive.language.phrases.values import Draft, Nominal, Relative, Trouble, Where
-from executive.language.resolve.antecedents import of_one_kind, said_again
+from executive.language.resolve.antecedents import of_one_kind, said_again, told_of
 from executive.language.resolve.discourse import LEAVES, THINGS, Discourse, UnresolvedError, ask, is_them
 from executive.language.resolve.kinds import listed
 from executive.language.resolve.people import asker_or_met, person_meant
@@ -21,9 +21,6 @@ _SEES = frozenset({"count", "find", "look_at", "describe"})
 """Tasks after which what was opened is still looked into."""
 
 _TELLS_APART = ("color", "size", "material", "ordinal")
-_TOLD = frozenset(one.name for one in fields(ObjectDescription) if one.name != "relation")
-_SAID = tuple(one.name for one in fields(Nominal) if one.name in _TOLD)
-"""What a noun and a description have in common."""
 
 
 def described(told: Discourse, of: Nominal) -> ObjectDescription | str:
@@ -41,7 +38,7 @@ def described(told: Discourse, of: Nominal) -> ObjectDescription | str:
     if of.kind is not None and not of.is_place:
         told = replace(told, kind=of)
     beside = None if relation is None else Relation(relation.kind, _neighbor(told, relation.to))
-    return ObjectDescription(**{name: getattr(of, name) for name in _SAID}, relation=beside)
+    return ObjectDescription(**{**told_of(of), "relation": beside})
 
 
 def destination(told: Discourse, of: Nominal) -> Any:
@@ -66,14 +63,7 @@ def destination(told: Discourse, of: Nominal) -> Any:
 
 
 def place(told: Discourse, of: Nominal | Relative, root: int, *, into: bool = False) -> Any:
-    """Where a thing goes or comes from, or who gets it.
-
-    Args:
-        told: What was said so far.
-        of: How the place is said.
-        root: The first task of the thing.
-        into: Whether the thing goes into it.
-    """
+    """Where the thing of a task goes, perhaps ``into`` it, or comes from, or who gets it."""
     if isinstance(of, Relative):
         return ObjectDescription(relation=Relation(of.kind, _neighbor(told, of.to, root)))
     if of.reference == "him" or (of.sort == "person" and of.whose):
@@ -186,11 +176,8 @@ def walked_to(told: Discourse, of: Nominal | Relative) -> tuple[Any, Nominal | R
     if not isinstance(of, Nominal) or of.reference not in ("it", "them"):
         return place(told, of, -1), of
     recent = told.recent()
-    if is_them(of) and told.people and not recent:
+    if is_them(of) and not recent:
         return destination(told, person_meant(told, of)), None  # "find a person and go to them"
-    named = list(dict.fromkeys(one.of for one in told.places))
-    if not recent and len(named) == 1 and not is_them(of):
-        return destination(told, named[0]), named[0]  # "point at the door and walk to it"
     if len(recent) != 1 or recent[0].of.sort == "animal":
         raise ask("what does 'it' stand for?")
     return ObjectOf(recent[0].task), None
@@ -223,23 +210,18 @@ def implied_source(told: Discourse, said: Draft, named: Nominal) -> tuple[Nomina
     if takes and before and before[-1].said.get("looks_in"):
         looked = before[-1].said.get("to")
         return looked, destination(told, looked)
-    out = said.get("out")
-    named_so = {one.of: one for one in told.places if one.of.sort in ("container", "furniture")}
-    standing = list(told.standing_open().items())
-    if out and "open" not in told.actions() and [one.role for one in named_so.values()] == ["about"]:
-        (of,) = named_so  # "the dishwasher is full, take out the plates"
-        return (of, destination(told, of)) if of.sort == "container" else None
-    if (
-        len(standing) != 1
-        or not (out or said.action == "count")
-        or told.backwards
-        or (out and len(named_so) != 1)
-    ):
+    out, standing = said.get("out"), list(told.standing_open().items())
+    holds = {one.of: one.role for one in told.places if one.of.sort in ("container", "furniture")}
+    (of, task), *others = standing or [(next(iter(holds), named), -1)]
+    unclear = len(holds) != 1 if out else told.backwards or said.action != "count"
+    if others or unclear or of.sort != "container":
         return None
-    ((of, task),) = standing
+    if not standing:  # "the dishwasher is full, take out the plates"
+        stated = out and "open" not in told.actions() and holds[of] == "about"
+        return (of, destination(told, of)) if stated else None
     since = told.actions(task + 1)
     stays = not since & LEAVES if out else since <= _SEES
-    return (of, ObjectOf(told.steps[task].root)) if of.sort == "container" and stays else None
+    return (of, ObjectOf(told.steps[task].root)) if stays else None
 
 
 def inside_of(told: Discourse) -> ObjectOf:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 from executive.language.phrases.handled_thing import PREVIOUS
@@ -20,7 +20,7 @@ from executive.language.resolve.discourse import (
     is_them,
 )
 from executive.language.resolve.guards import Order, trouble_after, trouble_with
-from executive.language.resolve.kinds import TAKES_SEVERAL, task_type
+from executive.language.resolve.kinds import task_type
 from executive.language.resolve.statements import taking_up
 from executive.meaning import Command
 from trees.beliefs.grounding.articles import with_article
@@ -42,12 +42,11 @@ _ASIDE = frozenset(
 
 _Slots = dict[str, Any]
 
-PeopleIn = Callable[[str], Sequence[Nominal]]
-"""Who is named in words that are to be said."""
-
 
 def commands_of(
-    clauses: Sequence[Clause], people_in: PeopleIn = lambda _text: (), remembers: bool = False
+    clauses: Sequence[Clause],
+    people_in: Callable[[str], Sequence[Nominal]] = lambda _text: (),
+    remembers: bool = False,
 ) -> tuple[Command, ...]:
     """The commands of clauses, in order.
 
@@ -75,7 +74,9 @@ def commands_of(
             told = told if stated is None else told.naming(stated.of, "about")
             stated = None
             for each in _for_each(told, taken):
-                told = _with_bundle(told, each, clause.text, people_in)
+                told = _with_bundle(told, each, clause.text)
+                for person in people_in(each[0].get("text") or ""):
+                    told = told.naming(person, "quoted")
     if stated is not None or not told.steps:
         raise UnresolvedError(Trouble("something is stated that no task follows from"))
     trouble = trouble_after(told)
@@ -112,7 +113,7 @@ def _for_each(told: Discourse, bundle: Bundle) -> Iterator[Bundle]:
         yield (first, *rest)
 
 
-def _with_bundle(told: Discourse, bundle: Bundle, text: str, people_in: PeopleIn) -> Discourse:
+def _with_bundle(told: Discourse, bundle: Bundle, text: str) -> Discourse:
     """With tasks that are done one after the other to the same thing."""
     last: ObjectOf | None = None
     for each in bundle:
@@ -125,8 +126,6 @@ def _with_bundle(told: Discourse, bundle: Bundle, text: str, people_in: PeopleIn
                 last = meant
                 continue
         last, told = _with_task(told, one, text)
-        for person in people_in(one.get("text") or ""):  # "her" who is told is none of them
-            told = told.naming(person, "quoted")
     return told
 
 
@@ -165,8 +164,10 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
     root = value.task if isinstance(value, ObjectOf) else len(told.steps)
     if one.action in PUTS_DOWN and isinstance(value, ObjectOf):
         told = _not_given_yet(told, one, root)
-    if named is None and _is_so_already(told, one, root):
-        return ObjectOf(root), told
+    lifted = one.action == "pick" and root in told.held and len(one.slots) == 1
+    left = one.get("stays") and one.get("there") is not None and root in told.placed
+    if named is None and (lifted or left):
+        return ObjectOf(root), told  # "grasp it and lift it", "put it there and leave it there"
     trouble = trouble_with(told, Order(one, named, root))
     if trouble is not None:
         raise UnresolvedError(trouble)
@@ -181,21 +182,15 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
     if implied is not None:
         slots["source"] = implied[1]
         told = told.naming(implied[0], "taken", root)
+    kind = task_type(slots.pop("action", one.action))
     if "count" in slots and isinstance(value, ObjectOf):
         del slots["count"]  # "the two cups, ... the cups": as many as there were
-    elif "count" in slots and one.action not in TAKES_SEVERAL:
+    elif "count" in slots and all(field.name != "count" for field in fields(kind)):
         raise ask("which one is meant?")
-    command = task_type(slots.pop("action", one.action))(text, **slots)
+    command = kind(text, **slots)
     if before.steps and _is_done(before.steps[-1].command, command):
         return ObjectOf(root), before
     return ObjectOf(root), replace(told, steps=(*told.steps, Step(command, one, root, told.clause)))
-
-
-def _is_so_already(told: Discourse, one: Draft, root: int) -> bool:
-    """Whether what is in the hand is only lifted, or stays where it was put: "leave it there"."""
-    if one.action == "pick":
-        return root in told.held and all(name in ("object", "lifts", "reaches") for name, _ in one.slots)
-    return bool(one.get("stays")) and one.get("there") is not None and root in told.placed
 
 
 def _is_done(last: Command, command: Any) -> bool:

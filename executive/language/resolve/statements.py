@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.language.phrases.values import Bundle, Draft, Mention, Nominal
+from executive.language.phrases.values import Bundle, Mention, Nominal
 from executive.language.resolve.antecedents import OPENED, OPENS
 from executive.language.resolve.discourse import MOVES, THINGS, Discourse, ask, is_them
 from executive.language.resolve.kinds import listed
@@ -20,7 +20,7 @@ def taking_up(told: Discourse, bundle: Bundle, stated: Mention) -> Bundle:
     """
     first, *rest = bundle
     thing, of = first.get("object"), stated.of
-    if stated.meant_for is not None and not all(_goes_to(stated.meant_for, one) for one in bundle):
+    if stated.meant_for is not None and any(one.action == "hand_over" for one in bundle):
         raise ask(f"is it for {stated.meant_for.kind}, or for whom?")
     is_one = isinstance(thing, Nominal) and thing.anaphoric and thing.count == 1 and not of.is_single
     chosen = is_one and of.kind is not None and of.is_plain and not told.steps
@@ -55,9 +55,3 @@ def _is_said_of(thing: object, of: Nominal) -> bool:
     if is_them(thing):
         return not of.is_single and (thing.said not in listed("two") or of.count in (2, "both"))
     return of.is_single and (thing.reference == "it" or (thing.is_bare_one and of.indefinite))
-
-
-def _goes_to(person: Nominal, one: Draft) -> bool:
-    """Whether a task hands nothing over, or to the one whom it was said to be for."""
-    to = one.get("to")
-    return one.action != "hand_over" or (isinstance(to, Nominal) and (to == person or to.reference == "him"))
