@@ -34,9 +34,9 @@ def it(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
     if not recent or any(one.sort in THINGS for one in told.ahead):
         raise ask("what does 'it' stand for?")
     (one, *others) = recent
-    puts = [each for each in told.as_named("goal", "again") if each.of.sort in THINGS]
-    if puts and puts[-1].clause == one.clause and action in MOVES:
-        others.append(puts[-1])  # "put the ball in the box and bring it to me"
+    goals = told.as_named("goal", "again", "walk" if action == "pick" else "goal", sorts=THINGS)[-1:]
+    if action in MOVES:  # "put the ball in the box and bring it to me"
+        others += [goal for goal in goals if goal.clause >= one.clause and goal.of != one.of]
     if others or one.is_several or (action in PUTS_DOWN and told.held and one.task not in told.held):
         raise ask("which of them does 'it' stand for?", [f"the {each.of.kind}" for each in (one, *others)])
     return ObjectOf(one.task)
@@ -59,15 +59,10 @@ def _opened(told: Discourse) -> Nominal | ObjectOf:
 def several(told: Discourse, of: Nominal, action: str) -> list[int]:
     """The tasks of the things that "them" stands for."""
     recent = told.recent((*THINGS, "animal"))
-    singles = {one.task: one for one in told.things if one.of.sort in THINGS and one.of.is_single}
-    apart = len({one.clause for one in singles.values()}) == len(told.held) and not told.mentioned
-    if (
-        action in PUTS_DOWN
-        and apart
-        and set(singles) == set(told.held)
-        and all(one.of.is_single for one in recent)
-    ):
-        recent = list(singles.values())  # "take the cup. Take the plate. Put them on the table"
+    taken = not told.mentioned and all(one.of.is_single and one.task in told.held for one in told.things)
+    apart = len({one.clause for one in told.things}) == len({one.task for one in told.things})
+    if taken and apart and action in PUTS_DOWN:  # "take the cup. Take the plate. Put them on the table"
+        recent = list({one.task: one for one in told.things}.values())
     is_one = len(recent) == 1 and recent[0].of.is_single
     if not recent or is_one or any(one.of.sort == "animal" for one in recent):
         raise ask("what does 'them' stand for?")
@@ -78,41 +73,33 @@ def several(told: Discourse, of: Nominal, action: str) -> list[int]:
 
 def said_again(told: Discourse, of: Nominal) -> Nominal | ObjectOf | None:
     """What a noun is said of again, with less than before: "the drawer" after "the left drawer"."""
-    if of.whose in listed("pointing"):
-        same = {one.of: one for one in told.named if one.of.kind == of.kind}
-        if len(same) > 1 or any(
-            one.clause == told.clause or one.is_several or one.of.whose for one in same.values()
-        ):
-            raise ask(f"which {of.kind} is meant by {of.whose!r}?")
-        return next((ObjectOf(one.task) if one.role == "object" else one.of for one in same.values()), None)
-    if of.kind is None or not may_be_said_again(of):
+    pointed = of.whose in listed("pointing")
+    if of.kind is None or not (pointed or may_be_said_again(of)):
         return None
-    before = [one for one in told.named if one.clause < told.clause]
-    acted = [one for one in (told.things if of.is_person else before) if one.role == "object"]
     people = told.people if of.sort == "person" else ()
-    others = [one.of for one in (*told.places, *told.mentioned) if one in before] + [one.of for one in people]
-    named = [*others, *(one.of for one in acted)]
-    if of in named or (of.kind in listed("door") and any(one.sort == "container" for one in named)):
+    named = [*told.things, *told.places, *told.mentioned, *people]
+    before = named if pointed else [one for one in named if one.clause < told.clause or one.of.is_person]
+    kinds = {one.of.sort for one in before}
+    if not pointed and any(one.of == of for one in before):
         return None
+    if of.kind in listed("door") and "container" in kinds:
+        return None  # it may be that of the container
     held = told.held
-    tasks = {
-        one.task: one.of
-        for one in acted
-        if says_more(one.of, of) or (one.task in held and _is_compound(one.of, of))
-    }
-    tasks = {task: one for task, one in tasks.items() if of.is_single or not one.is_single}
-    others = [
-        one
-        for one in dict.fromkeys(others)
-        if says_more(one, of) and one.is_single and one not in tasks.values()
-    ]
-    others = others if of.is_single else []
-    in_the_hand = [task for task in tasks if task in held]
-    if len(in_the_hand) == 1 and not others:
-        tasks = {in_the_hand[0]: tasks[in_the_hand[0]]}
-    if len(tasks) + len(others) > 1 or (of.is_single and any(not one.is_single for one in tasks.values())):
+    if pointed:
+        found = [one for one in before if one.of.kind == of.kind]
+    else:
+        found = [
+            one for one in before if says_more(one.of, of) or (one.task in held and _is_compound(one.of, of))
+        ]
+        found = [one for one in found if of.is_single or (one.role == "object" and not one.of.is_single)]
+    in_the_hand = {one.task: one for one in found if one.role == "object" and one.task in held}
+    if len(in_the_hand) == 1 and all(one.role == "object" for one in found) and not pointed:
+        found = list(in_the_hand.values())
+    meant = {one.of: ObjectOf(one.task) if one.role == "object" else one.of for one in reversed(found)}
+    doubt = any(one.clause == told.clause or one.of.whose for one in found) if pointed else False
+    if len(meant) > 1 or doubt or (of.is_single and any(not one.is_single for one in meant)):
         raise ask(f"which {of.kind} is meant?")
-    return others[0] if others else ObjectOf(next(iter(tasks))) if tasks else None
+    return next(iter(meant.values()), None)
 
 
 def may_be_said_again(of: Nominal) -> bool:
@@ -181,11 +168,10 @@ def door_of(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
         return of  # "close the fridge and the door"
     standing = {one: task for one, task in told.standing_open().items() if one.kind in doors}
     near = list(dict.fromkeys((*(one for one in lately if one.kind in doors), *standing)))
-    moved = told.actions() & {*OPENS, *LEAVES}
-    if not near and (moved or not any(one.of.kind in doors for one in told.places)):
+    left = told.actions(standing.get(near[0], 0) if near else 0) & LEAVES
+    if not any(one.of.kind in doors for one in told.places) or (left and not near):
         return of
-    closed = "close" in moved and not standing
-    left = bool(near) and near[0] not in lately and told.actions(standing.get(near[0], 0)) & LEAVES
-    if len(near) != 1 or closed or left or any(one.of.kind in listed("door") for one in told.things):
+    doubt = "close" in told.actions() or (left and near[0] not in lately)
+    if len(near) != 1 or doubt or any(one.of.kind in listed("door") for one in told.things):
         raise ask("which door?", [f"the door of the {one.kind}" for one in near])
     return ObjectOf(standing[near[0]]) if near[0] in standing else near[0]

@@ -106,23 +106,15 @@ class Discourse:
         """The actions of a task and those after it."""
         return frozenset(step.command.action for step in self.steps[since:])
 
+    def moved(self, *actions: str) -> frozenset[int]:
+        """The first tasks of the things that were moved so last: put, taken or given away."""
+        last = {step.root: step.command.action for step in self.steps if step.command.action in MOVES}
+        return frozenset(root for root, action in last.items() if action in actions)
+
     @property
-    def held(self) -> tuple[int, ...]:
+    def held(self) -> frozenset[int]:
         """The first tasks of the things in the hands."""
-        moved = {step.root: step.command.action for step in self.steps if step.command.action in MOVES}
-        return tuple(root for root, action in moved.items() if action == "pick")
-
-    @property
-    def given(self) -> frozenset[int]:
-        """The first tasks of the things that were given away."""
-        gave = {step.root for step in self.steps if step.command.action == "hand_over"}
-        return frozenset(gave.difference(self.held))
-
-    @property
-    def placed(self) -> frozenset[int]:
-        """The first tasks of the things that were put down and not taken since."""
-        puts = {step.root for step in self.steps if step.command.action in ("place", "put_in")}
-        return frozenset(puts.difference(self.held))
+        return self.moved("pick")
 
     def as_named(self, *roles: Role, sorts: Collection[str] = ()) -> tuple[Named, ...]:
         """What was named so, of some sorts or of any."""

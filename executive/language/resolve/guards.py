@@ -9,7 +9,7 @@ from typing import Any
 from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
 from executive.language.resolve.antecedents import OPENED, in_hand, may_be_said_again, says_more
-from executive.language.resolve.discourse import PUTS_DOWN, Discourse, Step
+from executive.language.resolve.discourse import PUTS_DOWN, Discourse
 from executive.references import references
 from trees.tasks import FindTask, ObjectOf
 
@@ -21,23 +21,14 @@ _COUNTED = frozenset({"first", "second", "third", "fourth", "fifth", "last"})
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """A task that is about to be ordered.
+    """A task that is about to be ordered: how it is said, its thing, if that is named anew, and its root.
 
-    Attributes:
-        said: How it was said.
-        named: Its thing, if that was named anew.
-        root: The first task that acts on that thing.
+    The root is the first task that acts on that thing.
     """
 
     said: Draft
     named: Nominal | None
     root: int
-
-    @property
-    def goal(self) -> Any:
-        """How the place was said where it goes, or what that place is beside."""
-        goal = self.said.get("to") or self.said.get("on")
-        return goal.to if isinstance(goal, Relative) else goal
 
 
 Guard = Callable[[Discourse, Order], Trouble | None]
@@ -57,16 +48,18 @@ def trouble_after(told: Discourse) -> Trouble | None:
         return _asked("which one of those that are found is meant?")
     for root in told.held:  # "take the red cup to the kitchen, take the blue one too"
         for put in (step for step in told.steps[:root] if step.command.action in PUTS_DOWN):
-            took = told.steps[put.root]
-            carried = put.command.text == took.command.text
-            if carried and _verb_and_kind(took) == _verb_and_kind(told.steps[root]):
+            took = commands[put.root]
+            verbs = {one.text.lower().partition(" ")[0] for one in (took, commands[root])}
+            kinds = {getattr(getattr(one, "object", None), "kind", None) for one in (took, commands[root])}
+            if put.command.text == took.text and len(verbs) == 1 and len(kinds) == 1:
                 return _asked("where shall it go?")
     return None
 
 
-def _verb_and_kind(step: Step) -> tuple[str, str | None]:
-    thing = getattr(step.command, "object", None)
-    return step.command.text.lower().partition(" ")[0], getattr(thing, "kind", None)
+def _goal(order: Draft) -> Any:
+    """How the place was said where a thing goes, or what that place is beside."""
+    goal = order.get("to") or order.get("on")
+    return goal.to if isinstance(goal, Relative) else goal
 
 
 def _asked(message: str) -> Trouble:
@@ -84,10 +77,10 @@ def _in_hand_already(told: Discourse, order: Order) -> Trouble | None:
 
 
 def _given_already(told: Discourse, order: Order) -> Trouble | None:
-    given = [one.of for one in told.things if one.task in told.given]
+    given = [one.of for one in told.things if one.task in told.moved("hand_over")]
     named = order.named if order.said.action == "hand_over" else None
     again = named is not None and any(one == replace(named, anaphoric=one.anaphoric) for one in given)
-    if again or (order.said.action in PUTS_DOWN and order.root in told.given):
+    if again or (order.said.action in PUTS_DOWN and order.root in told.moved("hand_over")):
         return _asked("it is given away by then: is another one meant?")
     return None
 
@@ -101,28 +94,30 @@ def _left_somewhere(told: Discourse, order: Order) -> Trouble | None:
 
 def _same_twice(told: Discourse, order: Order) -> Trouble | None:
     """Put the cup in the cup; put the ball in the red box and the box on the table."""
-    named = order.named
-    if order.said.action not in PUTS_DOWN or named is None or named.kind is None:
+    if order.said.action not in PUTS_DOWN or order.named is None or order.named.kind is None:
         return None
     here = [one.of for one in (*told.places, *told.mentioned) if one.clause == told.clause]
-    filled = may_be_said_again(named) and any(says_more(of, named) for of in here)
-    if filled or (order.said.action != "hand_over" and order.goal == named):
-        return _asked(f"is it the same {named.kind} twice? say how they differ")
+    filled = may_be_said_again(order.named) and any(says_more(of, order.named) for of in here)
+    if filled or (order.said.action != "hand_over" and _goal(order.said) == order.named):
+        return _asked(f"is it the same {order.named.kind} twice? say how they differ")
     return None
 
 
 def _one_of_several(told: Discourse, order: Order) -> Trouble | None:
     """The first one, the other one, everything: of what was named."""
-    of, named = order.said.get("object"), order.named
-    if not isinstance(of, Nominal) or named is None:
+    of = order.said.get("object")
+    if not isinstance(of, Nominal) or order.named is None:
         return None
-    alike = [one for one in told.things if one.of.kind == named.kind]
+    alike = [one for one in told.things if one.of.kind == order.named.kind]
     singles = {one.task: one.of for one in alike if not one.is_several}
-    if of.ordinal == "other" and (len(singles) > 1 or (of.anaphoric and named.kind is None)):
+    of_what = of.ordinal in ("other", "last") and of.anaphoric and order.named.kind is None
+    if of_what or (of.ordinal == "other" and len(singles) > 1):
         return _asked("which one is meant?" if singles else "other than what? nothing was named before")
     counted = of.anaphoric and any(one.ordinal not in _COUNTED for one in singles.values())
     known = any(told.steps[one.task].command.action in ("find", "pick") for one in alike if one.is_several)
-    if of.ordinal in _COUNTED and (counted or known):
+    several = [one for one in alike if one.is_several and one.clause < told.clause]
+    held = of.anaphoric and order.said.action == "pick" and any(one.task in told.held for one in several)
+    if held or (of.ordinal in _COUNTED and (counted or known)):
         return _asked("which of those that were named is meant?")
     everything = of.sort == "any" and of.kind is None and of.is_plain and of.count == "all"
     if everything and order.said.get("source") is None and told.recent(("thing",)):
@@ -133,7 +128,7 @@ def _one_of_several(told: Discourse, order: Order) -> Trouble | None:
 def _among_the_same(told: Discourse, order: Order) -> Trouble | None:
     """The biggest cup on the table and the smallest: whether that is on the table too."""
     before = told.things[-1] if told.things else None
-    said = [order.goal, order.said.get("object") if order.said.get("source") is None else None]
+    said = [_goal(order.said), order.said.get("object") if order.said.get("source") is None else None]
     others = [of for of in said if isinstance(of, Nominal) and of.anaphoric and of.relation is None]
     if before is None or not others:
         return None

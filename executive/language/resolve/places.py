@@ -24,7 +24,7 @@ _TELLS_APART = ("color", "size", "material", "ordinal")
 
 
 def described(told: Discourse, of: Nominal) -> ObjectDescription | str:
-    """A thing, a place or a person that is told by words, as the value of a slot: a name alone is that name."""
+    """A thing, a place or a person that is told by words, as a slot's value: a name alone is that name."""
     relation = of.relation
     if of.sort == "name" and relation is None:
         return str(of.kind)
@@ -88,8 +88,8 @@ def _another(told: Discourse, of: Nominal) -> Nominal:
         return replace(of, kind=holders[0].kind, sort=holders[0].sort, anaphoric=False, said="")
     of_one_kind(told, *(one.of for one in (*told.places, *told.mentioned)))
     slots = [slot for slot in _TELLS_APART if getattr(of, slot) is not None]
-    alike = handled and not handled[-1].is_place and all(getattr(handled[-1], slot) is None for slot in slots)
-    if alike:
+    last = handled[-1] if handled else of
+    if not last.is_place and all(getattr(last, slot) is None for slot in slots):
         raise ask("which one is meant?")  # "put the can on the left one"
     return of
 
@@ -110,7 +110,7 @@ def _neighbor(told: Discourse, of: Nominal, root: int = -1) -> Any:
 
 
 def _same_it(told: Discourse, task: int) -> ObjectOf:
-    """What "it" is, unless it was another thing in this clause: "put the cup in it and the can next to it"."""
+    """What "it" is, unless it was another thing in this clause: "put the cup in it, the can next to it"."""
     here = [step for step in told.steps if step.clause == told.clause]
     if any(references(step.command) - {step.root, task} for step in here):
         raise ask("what does 'it' stand for?")
@@ -132,7 +132,7 @@ def _inner(told: Discourse, root: int, *, into: bool) -> Any:
     if len(recent) != 1 or named or told.mentioned or (walked and recent[0].of.sort == "container"):
         raise ask("what does 'it' stand for?")
     (one,) = recent
-    if one.task in told.held or one.task in told.given or one.is_several:
+    if one.task in told.held or one.task in told.moved("hand_over") or one.is_several:
         raise ask(f"the {one.of.kind or 'one'} is moved by then: shall it be put there?")
     return _same_it(told, one.task)
 

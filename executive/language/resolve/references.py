@@ -137,7 +137,7 @@ def _before(told: Discourse, one: Draft) -> Nominal | ObjectOf | None:
     if thing.reference:
         return antecedents.it(told, thing, "place" if one.get("fetched") else one.action)
     before = antecedents.said_again(told, thing)
-    if isinstance(before, ObjectOf) and before.task in told.given and source is None:
+    if isinstance(before, ObjectOf) and before.task in told.moved("hand_over") and source is None:
         raise ask(f"the {thing.kind} is given away by then: is another one meant?")
     if isinstance(before, ObjectOf) and source is not None and source != told.source_of(before.task):
         return None
@@ -149,7 +149,7 @@ def _before(told: Discourse, one: Draft) -> Nominal | ObjectOf | None:
 
 def _not_given_yet(told: Discourse, one: Draft, root: int) -> Discourse:
     """Without a hand-over that nobody asked for: "bring the blanket and put it on the bed"."""
-    if root not in told.given or one.get("source") is not None:
+    if root not in told.moved("hand_over") or one.get("source") is not None:
         return told
     if told.steps[-1].root != root or not _is_for_nobody(told):
         raise ask("it is given away by then: shall it be taken back first?")
@@ -164,8 +164,9 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
     root = value.task if isinstance(value, ObjectOf) else len(told.steps)
     if one.action in PUTS_DOWN and isinstance(value, ObjectOf):
         told = _not_given_yet(told, one, root)
-    lifted = one.action == "pick" and root in told.held and len(one.slots) == 1
-    left = one.get("stays") and one.get("there") is not None and root in told.placed
+    said_how = any(one.get(slot) for slot in ("hand", "source", "holds"))
+    lifted = one.action == "pick" and root in told.held and not said_how
+    left = one.get("stays") and one.get("there") is not None and root in told.moved("place", "put_in")
     if named is None and (lifted or left):
         return ObjectOf(root), told  # "grasp it and lift it", "put it there and leave it there"
     trouble = trouble_with(told, Order(one, named, root))
