@@ -80,15 +80,16 @@ def place(told: Discourse, of: Nominal | Relative, root: int, *, into: bool = Fa
 
 
 def _another(told: Discourse, of: Nominal) -> Nominal:
-    """What "the blue one" is: one of the only sort that held something before, else of what is handled."""
-    holders = [one.of for one in (*told.places, *told.mentioned) if one.role in ("goal", "source")]
-    kinds = {one.kind for one in holders}
-    handled = [*(one.of for one in told.things), *([told.kind] if told.kind is not None else [])]
-    if len(kinds) == 1 and not any(one.is_place or one.kind in HOLDERS for one in handled):
-        return replace(of, kind=holders[0].kind, sort=holders[0].sort, anaphoric=False, said="")
+    """What "the blue one" is: one of the only sort that was named and holds things, else of what is handled."""
+    named = (*told.places, *told.mentioned, *told.things)
+    holders = {one.of.kind: one.of for one in named if one.of.is_place or one.of.kind in HOLDERS}
+    held = any(one.task in told.held and one.of.kind in holders for one in told.things)
+    last = told.kind or of
+    if len(holders) == 1 and not held and not last.is_place and last.kind not in HOLDERS:
+        (holder,) = holders.values()
+        return replace(of, kind=holder.kind, sort=holder.sort, anaphoric=False, said="")
     of_one_kind(told, *(one.of for one in (*told.places, *told.mentioned)))
     slots = [slot for slot in _TELLS_APART if getattr(of, slot) is not None]
-    last = handled[-1] if handled else of
     if not last.is_place and all(getattr(last, slot) is None for slot in slots):
         raise ask("which one is meant?")  # "put the can on the left one"
     return of
