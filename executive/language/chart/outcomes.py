@@ -10,7 +10,7 @@ from executive.language.clauses.sentences import Sentence
 from executive.language.commands.going import NO_DIRECTION
 from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases.values import EXCEEDS, HARMS, Nominal, Trouble
-from executive.language.resolve.hazards import harm_in
+from executive.language.resolve.guards import harm_in
 from executive.language.resolve.references import UnresolvedError, commands_of
 from executive.meaning import Command, command_json
 from trees.tasks import ObjectOf, SayTask

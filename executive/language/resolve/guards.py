@@ -1,20 +1,25 @@
-"""What is asked before something is done: is it in the hand, given away, another one?"""
+"""What is asked before something is done: is it in the hand, given away, another one, does it harm?"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from executive.language.phrases.features import SUPERLATIVES
-from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
+from executive.language.phrases.values import HARMS, Draft, Nominal, Relative, Trouble
 from executive.language.resolve.antecedents import OPENED, in_hand, may_be_said_again, says_more
 from executive.language.resolve.discourse import PUTS_DOWN, Discourse
+from executive.language.resolve.kinds import listed, rules
+from executive.meaning import Command
 from executive.references import references
-from trees.tasks import FindTask, ObjectOf
+from trees.tasks import FindTask, HandOverTask, ObjectDescription, ObjectOf, PlaceTask, PutInTask
 
 _TOLD = frozenset({"count", "find", "describe"})
 """Tasks that end with something to tell."""
+
+_WHERE = {"hand_over": "with", "put_in": "in", "place": "on"}
+"""How it is said where a thing is by then."""
 
 _COUNTED = frozenset({"first", "second", "third", "fourth", "fifth", "last"})
 
@@ -54,6 +59,47 @@ def trouble_after(told: Discourse) -> Trouble | None:
             if put.command.text == took.text and len(verbs) == 1 and len(kinds) == 1:
                 return _asked("where shall it go?")
     return None
+
+
+def harm_in(commands: Sequence[Command]) -> Trouble | None:
+    """Why a robot must not do this, or None: a fork in a toaster, a knife for a baby, as ``hazards.toml`` tells.
+
+    It is told from the tasks, where "it" is known to be the fork.
+    """
+    for command in commands:
+        if not isinstance(command, HandOverTask | PutInTask | PlaceTask):
+            continue
+        thing = _described(command.object, commands)
+        goal = _described(getattr(command, "on", None) or command.to, commands)
+        where = goal.kind if isinstance(goal, ObjectDescription) else goal
+        if not isinstance(thing, ObjectDescription) or thing.kind is None or not isinstance(where, str):
+            continue
+        if any(_harms(rule, thing, where.lower(), command.action) for rule in rules("harm")):
+            return Trouble(f"the {thing.kind} {_WHERE[command.action]} the {where} {HARMS}", thing.kind)
+    return None
+
+
+def _described(thing: Any, commands: Sequence[Command]) -> Any:
+    """The description behind "it", which may stand for what "it" stood for before."""
+    for _ in commands:
+        if isinstance(thing, ObjectOf) and 0 <= thing.task < len(commands):
+            thing = getattr(commands[thing.task], "object", None)
+    return thing
+
+
+def _harms(rule: Mapping[str, Any], thing: ObjectDescription, where: str, action: str) -> bool:
+    """Whether a rule forbids to do this with a thing there."""
+    kind = thing.kind or ""
+    if action not in rule["actions"] or where not in listed(rule["where"]):
+        return False
+    left_out = frozenset().union(*(listed(one) for one in ("harmless", *rule.get("but", ()))))
+    if not left_out.isdisjoint((kind, where)) or (kind.startswith("toy ") and not rule.get("toys")):
+        return False
+    if rule.get("material") and thing.material is not None:
+        return bool(thing.material == rule["material"])
+    within = next((kind.removesuffix(end) for end in listed("packs") if kind.endswith(end)), kind)
+    named = {kind, within, kind.rpartition(" ")[2], within.rpartition(" ")[2]}
+    return any(not named.isdisjoint(listed(one)) for one in rule["things"])
 
 
 def _goal(order: Draft) -> Any:

@@ -80,7 +80,7 @@ def place(told: Discourse, of: Nominal | Relative, root: int, *, into: bool = Fa
 
 
 def _another(told: Discourse, of: Nominal) -> Nominal:
-    """What "the blue one" is: one of the only sort that was named and holds things, else of what is handled."""
+    """What "the blue one" is: of the only sort that was named and holds things, else of what is handled."""
     named = (*told.places, *told.mentioned, *told.things)
     holders = {one.of.kind: one.of for one in named if one.of.is_place or one.of.kind in HOLDERS}
     held = any(one.task in told.held and one.of.kind in holders for one in told.things)
