@@ -21,8 +21,6 @@ _TOLD = frozenset({"count", "find", "describe"})
 _WHERE = {"hand_over": "with", "put_in": "in", "place": "on"}
 """How it is said where a thing is by then."""
 
-_COUNTED = frozenset({"first", "second", "third", "fourth", "fifth", "last"})
-
 
 @dataclass(frozen=True, slots=True)
 class Order:
@@ -62,7 +60,7 @@ def trouble_after(told: Discourse) -> Trouble | None:
 
 
 def harm_in(commands: Sequence[Command]) -> Trouble | None:
-    """Why a robot must not do this, or None: a fork in a toaster, a knife for a baby, as ``hazards.toml`` tells.
+    """Why a robot must not do this, or None: a fork in a toaster, a knife for a baby (``hazards.toml``).
 
     It is told from the tasks, where "it" is known to be the fork.
     """
@@ -92,7 +90,7 @@ def _harms(rule: Mapping[str, Any], thing: ObjectDescription, where: str, action
     kind = thing.kind or ""
     if action not in rule["actions"] or where not in listed(rule["where"]):
         return False
-    left_out = frozenset().union(*(listed(one) for one in ("harmless", *rule.get("but", ()))))
+    left_out = frozenset().union(*(listed(one) for one in rule.get("but", ())))
     if not left_out.isdisjoint((kind, where)) or (kind.startswith("toy ") and not rule.get("toys")):
         return False
     if rule.get("material") and thing.material is not None:
@@ -159,11 +157,11 @@ def _one_of_several(told: Discourse, order: Order) -> Trouble | None:
     of_what = of.ordinal in ("other", "last") and of.anaphoric and order.named.kind is None
     if of_what or (of.ordinal == "other" and len(singles) > 1):
         return _asked("which one is meant?" if singles else "other than what? nothing was named before")
-    counted = of.anaphoric and any(one.ordinal not in _COUNTED for one in singles.values())
+    counted = of.anaphoric and any(one.ordinal not in listed("counted") for one in singles.values())
     known = any(told.steps[one.task].command.action in ("find", "pick") for one in alike if one.is_several)
     several = [one for one in alike if one.is_several and one.clause < told.clause]
     held = of.anaphoric and order.said.action == "pick" and any(one.task in told.held for one in several)
-    if held or (of.ordinal in _COUNTED and (counted or known)):
+    if held or (of.ordinal in listed("counted") and (counted or known)):
         return _asked("which of those that were named is meant?")
     everything = of.sort == "any" and of.kind is None and of.is_plain and of.count == "all"
     if everything and order.said.get("source") is None and told.recent(("thing",)):

@@ -13,9 +13,6 @@ from executive.language.resolve.discourse import Discourse, ask, is_them
 from executive.language.resolve.kinds import listed
 from trees.tasks import RelationKind
 
-_PRONOUNS = ("him", "her")
-"""Lists of those of whom a pronoun is said."""
-
 _FACES = frozenset(
     {"walk_to", "find", "follow", "guide", "greet", "wave", "say", "look_at", "point_at", "answer", "tell"}
 )
@@ -24,9 +21,9 @@ _FACES = frozenset(
 
 def may_be(pronoun: str, person: Nominal) -> bool:
     """Whether a pronoun, as it was said, may stand for somebody; of whom nothing is known it may."""
-    words = (person.kind or "").lower().split()
-    fitting = [one for one in _PRONOUNS if not listed(one).isdisjoint(words)]
-    return not fitting or pronoun not in _PRONOUNS or pronoun in fitting
+    words, pronouns = (person.kind or "").lower().split(), listed("pronouns")
+    fitting = [one for one in pronouns if not listed(one).isdisjoint(words)]
+    return not fitting or pronoun not in pronouns or pronoun in fitting
 
 
 def person_meant(told: Discourse, of: Nominal, *, anew: bool = False) -> Nominal:
