@@ -69,7 +69,7 @@ def met(told: Discourse) -> Nominal | None:
     since = len(told.steps)
     while since and told.steps[since - 1].command.action in _FACES:
         since -= 1
-    named = told.as_named("walk", "person", "found", sorts=("person", "name"))
+    named = [one for one in told.people if one.role in ("walk", "person", "found")]
     people = dict.fromkeys(one.of for one in named if one.task >= since)
     if len(people) > 1 or any(one.count != 1 for one in people):
         raise ask("to whom?", ["me", *(str(one.kind) for one in people)])
@@ -81,8 +81,10 @@ def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
     person = met(told) if of.name is not None else None
     named = dict.fromkeys(str(one.of.kind) for one in told.named if one.of.sort in ("person", "name"))
     last = told.walks[-1:]
-    if person is not None and last == [person]:
-        return person
+    if person is not None and [replace(one, relation=None) for one in last] == [
+        replace(person, relation=None)
+    ]:
+        return last[0]
     if named or (of.name == "met" and (told.last_action != "walk_to" or not last or last[0].sort != "me")):
         raise ask("to whom?", ["me", *named])
     return Nominal("me", of.kind)
