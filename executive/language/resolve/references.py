@@ -151,7 +151,8 @@ def _not_given_yet(told: Discourse, one: Draft, root: int) -> Discourse:
     """Without a hand-over that nobody asked for: "bring the blanket and put it on the bed"."""
     if root not in told.moved("hand_over") or one.get("source") is not None:
         return told
-    if told.steps[-1].root != root or not _is_for_nobody(told):
+    picked = told.steps[-1].root == root < len(told.steps) - 1
+    if not picked or not _is_for_nobody(told):
         raise ask("it is given away by then: shall it be taken back first?")
     return replace(told, steps=told.steps[:-1])
 
