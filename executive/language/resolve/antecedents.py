@@ -16,7 +16,8 @@ from trees.tasks import ObjectDescription, ObjectOf
 LOOKS = frozenset({"look_at", "point_at", "find", "describe"})
 OPENS = frozenset({"open", "close"})
 OPENED = frozenset({"container", "door"})
-_TOLD = frozenset(one.name for one in fields(ObjectDescription))
+_SLOTS = frozenset(one.name for one in fields(ObjectDescription))
+_TOLD = tuple(one.name for one in fields(Nominal) if one.name in _SLOTS)
 
 
 def it(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
@@ -111,15 +112,17 @@ def may_be_said_again(of: Nominal) -> bool:
 
 def says_more(before: Nominal, of: Nominal) -> bool:
     """Whether what was named before is the same in more words: "the red cup"."""
+    if before.kind is None or (of.kind is not None and before.kind != of.kind):
+        return False
     said, less = told_of(before), told_of(of)
-    if "kind" not in said or any(said.get(name) != value for name, value in less.items()):
+    if any(said.get(name) != value for name, value in less.items()):
         return False
     return len(said) > len(less) or (not before.is_single and before.count != "all")
 
 
 def told_of(of: Nominal) -> dict[str, Any]:
     """What a noun tells of a thing, as the slots of its description."""
-    told = {one.name: getattr(of, one.name) for one in fields(of) if one.name in _TOLD}
+    told = {name: getattr(of, name) for name in _TOLD}
     return {name: value for name, value in told.items() if value not in (None, ())}
 
 

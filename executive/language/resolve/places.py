@@ -189,11 +189,10 @@ def as_before(told: Discourse, of: Any) -> Any:
     if isinstance(of, Nominal) and (of.is_place or of.sort == "person"):
         before = said_again(told, of)
         of = before if isinstance(before, Nominal) else of
-    standing = told.standing_open()
     on_a_shelf = isinstance(of, Nominal) and of.kind in listed("shelf") and of.ordinal in listed("levels")
-    if not standing or not on_a_shelf or of.relation is not None or of.owner is not None:
+    if not on_a_shelf or of.relation is not None or of.owner is not None or not told.standing_open():
         return of
-    (container, task), *others = standing.items()
+    (container, task), *others = told.standing_open().items()
     if others or told.backwards or told.actions(task) & LEAVES:
         raise ask(f"the {of.ordinal} shelf of the {container.kind}, or another one?")
     return replace(of, relation=Relative("in", container))
