@@ -10,8 +10,8 @@ from executive.language.clauses.sentences import Sentence
 from executive.language.commands.moving import NO_DIRECTION
 from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases.values import EXCEEDS, HARMS, Nominal, Trouble
-from executive.language.resolve.hazards import harm_in
-from executive.language.resolve.references import Resolver, UnresolvedError
+from executive.language.resolve.guards import harm_in
+from executive.language.resolve.references import UnresolvedError, commands_of
 from executive.meaning import Command, command_json
 from trees.tasks import ObjectOf, SayTask
 
@@ -40,7 +40,7 @@ def outcomes_of(
             troubles[meaning] = None
         elif isinstance(meaning, Sentence):
             try:
-                commands = Resolver(people_in, remembers).commands(meaning.clauses)
+                commands = commands_of(meaning.clauses, people_in, remembers)
             except UnresolvedError as unresolved:
                 troubles[unresolved.trouble] = None
                 asked += [meaning.unseparated] if unresolved.trouble.asks else []

@@ -9,7 +9,7 @@ from executive.language.commands import meanings
 from executive.language.commands.going import target
 from executive.language.phrases.features import described
 from executive.language.phrases.values import Item, Nominal, Trouble, Where
-from executive.language.resolve.references import Resolver, UnresolvedError
+from executive.language.resolve import references
 from trees.tasks import ObjectDescription
 
 
@@ -35,8 +35,8 @@ def _selection(parts: tuple[Any, ...]) -> Selection | Trouble | None:
 def description_of(selection: Selection) -> ObjectDescription | None:
     """The description that is compared with what is seen."""
     try:
-        described = Resolver().description(selection.of)
-    except UnresolvedError:
+        described = references.description_of(selection.of)
+    except references.UnresolvedError:
         return None
     return described if isinstance(described, ObjectDescription) else None
 

@@ -27,7 +27,7 @@ from executive.language.phrases.values import (
     Where,
     draft,
 )
-from executive.language.resolve.task_types import task_type
+from executive.language.resolve.kinds import task_type
 from executive.language.text.word import Word
 
 

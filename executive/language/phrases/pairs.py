@@ -10,7 +10,7 @@ from executive.language.commands.handling import given, handed, picked, recipien
 from executive.language.phrases.arranging import ME, arranged, clause, guarded, trouble, unfit
 from executive.language.phrases.parts import Parts, always, words
 from executive.language.phrases.values import Benefit, Clause, Item, Items, Meaning, Nominal, Trouble
-from executive.language.resolve.genders import may_be
+from executive.language.resolve.people import may_be
 from executive.language.text.word import Word
 
 
