@@ -7,11 +7,10 @@ from types import MappingProxyType
 
 from executive.language.clauses import (
     before_command,
-    given_reasons,
+    scopes,
     sentences,
     statements,
 )
-from executive.language.clauses.fronted import fronted
 from executive.language.commands import (
     attention,
     gestures,
@@ -42,7 +41,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **before_command.MEANINGS,
         **features.MEANINGS,
         **gestures.MEANINGS,
-        **given_reasons.MEANINGS,
         **going.MEANINGS,
         **handling.MEANINGS,
         **lists.MEANINGS,
@@ -51,6 +49,7 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **places.MEANINGS,
         **placing.MEANINGS,
         **quantities.MEANINGS,
+        **scopes.MEANINGS,
         **sentences.MEANINGS,
         **sharing.MEANINGS,
         **skilled.MEANINGS,
@@ -58,6 +57,5 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **statements.MEANINGS,
         **turns.MEANINGS,
         **waiting.MEANINGS,
-        "fronted": fronted,
     }
 )
