@@ -13,7 +13,9 @@ from executive.language.clauses.statements import Reason, is_statement
 from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases.handled_thing import ASKER
 from executive.language.phrases.parts import Parts
-from executive.language.phrases.values import Clause, Draft, Meaning, Trouble
+from executive.language.phrases.values import Clause, Draft, Meaning, Nominal, Trouble
+
+_PERCEIVES = frozenset({"look_at", "find", "describe"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,9 +119,20 @@ def _doubt_of_two(first: Clause, second: Clause, separator: Separator) -> str:
 def _run_together(before: Further, after: Further) -> bool:
     """Whether two clauses with nothing between them may be one: "stop pick it up", "wave wave to Ana"."""
     both = [one.part for one in (before, after) if isinstance(one.part, Clause)]
-    watched = any(last is not None and last.get("watches") for last in map(_last, both))
-    unclear = watched or any(_stops(one) or _is_endless(one) for one in both)
+    unclear = any(_stops(one) or _is_endless(one) for one in both) or any(map(_may_go_on, both[:1]))
     return unclear or len(set(map(_action, both)) - {None}) < len((before, after))
+
+
+def _may_go_on(clause: Clause) -> bool:
+    """Whether what follows may be what somebody does whom it names last.
+
+    "Look at Ana open the fridge" asks for no opening, and "bring me the cup, Tom can wave" for no can.
+    """
+    drafts = [one for bundle in clause.bundles for one in bundle]
+    named = [value for one in drafts for _, value in one.slots[:1] if isinstance(value, Nominal)]
+    things = [one for one in named if not one.is_person and not one.reference]
+    seen = bool(named) and named[-1].is_person and drafts[-1].action in _PERCEIVES
+    return seen or (len(things) > 1 and not things[-1].determined)
 
 
 def _first(clause: Clause) -> Draft | None:
