@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -11,23 +11,6 @@ from executive.language.clauses.statements import named_thing
 from executive.language.phrases.arranging import guarded, unfit
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Hand, Item, Meaning, Trouble, Where
-
-
-class _Nothing:
-    """A part that says nothing of its own."""
-
-    __slots__ = ()
-
-
-NOTHING = _Nothing()
-
-
-@dataclass(frozen=True, slots=True)
-class Numbered:
-    """Which one of a numbered list a command is."""
-
-    number: int
-
 
 _OPENS_A_PHRASE = (",", ":")
 """Marks between a command and what is said of it before it."""
@@ -42,22 +25,23 @@ _FOUND_SOMEWHERE = frozenset({"pick", "find", "count", "describe"})
 """Tasks of which a place before them can only say where their thing is."""
 
 
-def _nothing(_parts: Parts) -> Any:
-    return NOTHING
+def _nothing(parts: Parts) -> Any:
+    """A courtesy or a reason, which say nothing of what is to be done."""
+    return parts[0]
 
 
-def _numbered(parts: Parts) -> Numbered | None:
+def _numbered(parts: Parts) -> int | None:
     """The number of a step, in digits, in words or as a letter."""
     number = words(parts, "NUM", "AMOUNT", "LETTER")[0].meaning
     is_step = bool(words(parts, "STEP"))
     marked = any(part.meaning not in _NUMBERS_NOTHING for part in words(parts, "PAUSE", "PAREN", "BULLET"))
-    return Numbered(int(number)) if number.isdecimal() and (is_step or marked) else None
+    return int(number) if number.isdecimal() and (is_step or marked) else None
 
 
 def _clause(parts: Parts) -> Clause | None:
     """A command, with its number."""
     command: Clause = parts[-1]
-    numbers = [part.number for part in parts if isinstance(part, Numbered)]
+    numbers = [part for part in parts if isinstance(part, int)]
     if len(numbers) > 1:
         return None  # "turn left 90. 2. Wave"
     return replace(command, number=numbers[0]) if numbers else command

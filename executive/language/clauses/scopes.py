@@ -28,22 +28,10 @@ class Separator(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Beside:
-    """A clause behind "before" or "after", and which of the two that is."""
-
-    order: str
-    clause: Clause
-
-
-@dataclass(frozen=True, slots=True)
 class Group:
-    """Two clauses that a conjunction puts in order.
+    """Two clauses in the order in which they are done.
 
-    Attributes:
-        first: What is done first.
-        second: What is done after it.
-        order: The conjunction: "before" or "after".
-        leads: Whether it is said before both clauses: "after opening it, wave".
+    ``order`` is the conjunction, "before" or "after", which ``leads`` where it is said before both clauses.
     """
 
     first: Clause
@@ -63,8 +51,8 @@ class Further:
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
 
 _SENTENCE_ENDS = frozenset({".", ";", "!"})
-_AND = "and"
-"""Meaning of joining words that leave open which of two clauses a conjunction is said of."""
+_AND, _AFTER = "and", "after"
+"""Meanings of joining words and of conjunctions."""
 
 
 def _separator(parts: Parts) -> Separator:
@@ -81,31 +69,26 @@ def _separates(word: Any) -> Separator:
     return Separator.AND if word.meaning == _AND else Separator.THEN
 
 
-def _beside(parts: Parts) -> Beside | None:
-    """What is done before or after: "after you have opened it", "after you open it", "after opening it"."""
-    clause: Clause = parts[-1]
-    form = "ed" if words(parts, "HAVE") else "base" if words(parts, "YOU_DO") else "ing"
-    if clause.form != form:
-        return None
-    return Beside(parts[0].meaning, replace(clause, form="base"))
-
-
 def _ordered(parts: Parts) -> Group | None:
-    """A command, and what is done before it or after it."""
-    (beside,) = (part for part in parts if isinstance(part, Beside))
-    (main,) = (part for part in parts if isinstance(part, Clause))
+    """A command, and what is done before it or after it: "after you have opened it", "after opening it"."""
+    (conjunction,) = words(parts, "AFTER", "AFTER_DOING", "BEFORE")
+    leads = parts[0] is conjunction
+    clauses = [part for part in parts if isinstance(part, Clause)]
+    main, other = reversed(clauses) if leads else clauses
     separator = next((part for part in parts if isinstance(part, Separator)), Separator.NOTHING)
-    leads = parts[0] is beside
-    if main.form != "base" or (leads and separator is Separator.NOTHING and main.terse):
+    form = "ed" if words(parts, "HAVE") else "base" if words(parts, "YOU_DO") else "ing"
+    if main.form != "base" or other.form != form:
+        return None
+    if leads and separator is Separator.NOTHING and main.terse:
         return None  # "before taking the apple home, wave" does not begin to wave at home
     if not leads and separator >= Separator.THEN:
         return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
-    other = beside.clause
-    if beside.order == "after":
-        return Group(other if leads else _said_after(other, main), main, beside.order, leads)
+    other = replace(other, form="base")
+    if conjunction.meaning == _AFTER:
+        return Group(other if leads else _said_after(other, main), main, _AFTER, leads)
     if leads or _takes_out(main):
         main = _said_after(main, other)
-    return Group(main, replace(other, said_first=leads), beside.order, leads)
+    return Group(main, replace(other, said_first=leads), conjunction.meaning, leads)
 
 
 def _takes_out(command: Clause) -> bool:
@@ -131,11 +114,7 @@ def _said_after(done_first: Clause, said_first: Clause) -> Clause:
 
 
 def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
-    """All clauses as they are to be done, or the question for their order.
-
-    Args:
-        parts: The sentence; what stands before its first part is left out.
-    """
+    """All clauses of a sentence as they are to be done, or the question for their order."""
     done: list[Clause] = []
     waiting: list[Clause] = []
     for index, one in enumerate(parts):
@@ -150,11 +129,11 @@ def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
             done.append(one.part)
             continue
         group = one.part
-        again = group.order == "after" and not _actions([group.first]).isdisjoint(_actions(done))
+        again = group.order == _AFTER and not _actions([group.first]).isdisjoint(_actions(done))
         if waiting or again or not _is_clear(group, before, follows):
             return UNCLEAR_ORDER  # "find the cup. After finding it, ...": is it found once, or twice?
         done.append(group.first)
-        (waiting if group.order == "before" and group.leads else done).append(group.second)
+        (waiting if group.leads and group.order != _AFTER else done).append(group.second)
     return (*done, *waiting)
 
 
@@ -169,9 +148,7 @@ def _is_clear(group: Group, before: Separator, follows: Separator) -> bool:
     if follows is Separator.NOTHING:
         return False  # "A after B C": is it "after B, C"?
     joins = follows in (Separator.AND, Separator.COMMA)
-    return group.order == "before" or (before >= Separator.THEN and not joins)
+    return group.order != _AFTER or (before >= Separator.THEN and not joins)
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {"separator": _separator, "beside": _beside, "ordered": _ordered}
-)
+MEANINGS: Mapping[str, Meaning] = MappingProxyType({"separator": _separator, "ordered": _ordered})

@@ -53,11 +53,11 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     if counted != sorted(counted):
         return UNCLEAR_ORDER  # "2. open the drawer 1. go to the kitchen"
     clauses = in_order(said)
+    if isinstance(clauses, tuple) and len(clauses) > 1 and all(map(_stops, clauses)):
+        return Sentence(clauses[:1])  # "whoa, stop right there" is one stop
     doubt = _doubt_of_reasons(parts) or (clauses if isinstance(clauses, Trouble) else _doubt_of_clauses(said))
     if doubt is not None or isinstance(clauses, Trouble):
         return doubt
-    if len(clauses) > 1 and all(map(_stops, clauses)):
-        return Sentence(clauses[:1])  # "whoa, stop right there" is one stop
     revoked = next((one.revokes for one in clauses if one.revokes), None)
     if revoked is not None and len(clauses) > 1:
         return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
@@ -82,8 +82,7 @@ def _goes_on(part: Any) -> bool:
     """Whether it states something, and no full stop stands before it."""
     if not isinstance(part, Further):
         return isinstance(part, Reason)
-    stated = isinstance(part.part, Clause) and is_statement(part.part) and bool(part.part.about)
-    return stated and part.separator is not Separator.STOP
+    return is_statement(part.part) and part.separator is not Separator.STOP
 
 
 def _doubt_of_clauses(said: Sequence[Further]) -> Trouble | None:
@@ -104,10 +103,9 @@ def _doubt_of_clauses(said: Sequence[Further]) -> Trouble | None:
 def _doubt_of_two(first: Clause, second: Clause, separator: Separator) -> str:
     """The question about two clauses; the empty string where there is none."""
     joined = separator in (Separator.AND, Separator.COMMA)
-    begun = _first(first)
-    if joined and first.hand_first:
+    if joined and first.hand_first and not second.hand_first:
         return "shall all of that be done with the same hand?"
-    if joined and begun is not None and not begun.slots and begun.action == _action(second):
+    if joined and _action(first) == _action(second) is not None and not first.bundles[0][0].slots:
         return "once, or twice?"  # "wave, wave to Ana"
     if separator is Separator.COMMA and _stops(second):
         return "shall it be stopped now, or when that is done?"
@@ -135,11 +133,6 @@ def _may_go_on(clause: Clause) -> bool:
     return seen or (len(things) > 1 and not things[-1].determined)
 
 
-def _first(clause: Clause) -> Draft | None:
-    """The first task of a clause, if it has one."""
-    return clause.bundles[0][0] if clause.bundles else None
-
-
 def _last(part: Any) -> Draft | None:
     """The last task of a part of the sentence, if it has one."""
     part = part.part if isinstance(part, Further) else part
@@ -148,8 +141,8 @@ def _last(part: Any) -> Draft | None:
 
 
 def _action(clause: Clause) -> str | None:
-    first = _first(clause)
-    return None if first is None else first.action
+    """What a clause begins with, if it commands anything."""
+    return clause.bundles[0][0].action if clause.bundles else None
 
 
 def _is_endless(clause: Clause) -> bool:

@@ -15,14 +15,8 @@ from executive.language.phrases.arranging import arranged, guarded, unfit
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Item, Meaning, Mention, Nominal, Trouble, Where
 
-WISHED = "wished"
-"""Meaning of words that say how something is to be, and not how it is."""
-
-NOWHERE = "nowhere"
-"""Meaning of words that say that nobody knows where something is."""
-
-OTHERS = "others"
-"""Meaning of words for somebody of whom nobody says who it is: "she is cold"."""
+WISHED, NOWHERE, OTHERS = "wished", "nowhere", "others"
+"""Meanings of words: how something is to be, that nobody knows where it is, and people who are not named."""
 
 _EXISTS = frozenset({"thing", "container", "door"})
 
@@ -46,16 +40,7 @@ def _reason_after(parts: Parts) -> Any:
 def named_thing(
     item: Item, places: Sequence[Where] = (), *, sorts: AbstractSet[str] = frozenset({"thing"})
 ) -> Mention:
-    """What is named for the command beside it, and where it is.
-
-    Args:
-        item: How it is named.
-        places: Where it is said to be.
-        sorts: What it may be.
-
-    Raises:
-        _UnfitError: It is nothing that could be meant, or more is said of it.
-    """
+    """What is named for the command beside it, which may be of some sorts, and where it is said to be."""
     (one,) = arranged((item, *places))
     of = one.object
     moved = one.goal is not None or one.back or one.hand is not None or one.person is not None

@@ -6,33 +6,25 @@ A sentence breaks off where the grammar goes on behind its last word with one of
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from typing import Any
 
 from executive.language.chart.chart import Chart
-from executive.language.explain.refusals import explanations
+from executive.language.explain.refusals import begins_clause, explanations
 from executive.language.phrases.values import Item, Items, Where
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 from executive.meaning import Question
 
-MAX_WORDS = 30
-"""Words of a sentence whose end is looked for."""
-
-_LONGEST = 5
-"""Words of the last phrase."""
+MAX_WORDS, _LONGEST = 30, 5
+"""Words of a sentence whose end is looked for, and of its last phrase."""
 
 _NAMED = frozenset({"thing", "container", "furniture", "door"})
 
 
 def what_is_missing(lattice: Lattice, chart: Chart) -> Question | None:
-    """The question for what a sentence leaves out; None where it is whole, or more than that is wrong.
-
-    Args:
-        lattice: The sentence, of which no reading makes sense.
-        chart: How far it was followed.
-    """
+    """The question for what a sentence leaves out; None where it is whole, or more than that is wrong."""
     if not lattice.pieces or len(lattice.pieces) > MAX_WORDS or lattice.unknown() is not None:
         return None
     return _only_named(lattice, chart) or next(_questions(lattice, chart), None)
@@ -49,8 +41,9 @@ def _questions(lattice: Lattice, chart: Chart) -> Iterator[Question]:
     last = _last_phrase(lattice, end)
     for gap in explanations()["missing"]:
         fitting = [word.start for word in last if word.word_class in gap["after"]]
-        follows = not expected.isdisjoint(gap["expects"])
-        if fitting and follows and _is_behind(lattice, fitting[0], gap.get("verbs", ()), chart):
+        begins = not gap.get("begins") or any(begins_clause(lattice, start) for start in fitting)
+        follows = begins and not expected.isdisjoint(gap["expects"])
+        if fitting and follows and _is_behind(lattice, fitting[0], gap, chart):
             yield _asked(gap, before, behind, expected)
 
 
@@ -77,14 +70,14 @@ def _last_phrase(lattice: Lattice, end: int) -> list[Word]:
     return next(filter(None, phrases), [])
 
 
-def _is_behind(lattice: Lattice, place: int, verbs: Sequence[str], chart: Chart) -> bool:
-    """Whether the last verb before a place is of some classes, if there are such."""
-    for start in range(place - 1, -1, -1) if verbs else ():
+def _is_behind(lattice: Lattice, place: int, gap: Mapping[str, Any], chart: Chart) -> bool:
+    """Whether the last verb before a place is one that leaves the gap, if that matters."""
+    for start in range(place - 1, -1, -1) if "verbs" in gap else ():
         longest = max((word.end for word in lattice.phrase(start)), default=start)
         classes = {word.word_class for word in lattice.phrase(start) if word.end == longest}
         if not classes.isdisjoint(chart.verbs):
-            return not classes.isdisjoint(verbs)
-    return not verbs
+            return not classes.isdisjoint(gap["verbs"]) and classes.isdisjoint(gap.get("whole", ()))
+    return "verbs" not in gap
 
 
 def _only_named(lattice: Lattice, chart: Chart) -> Question | None:

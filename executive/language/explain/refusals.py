@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.resources
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from functools import cache
 from typing import Any
 
@@ -16,11 +17,8 @@ from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
 from executive.vocabulary.written import split_words
 
-_SHOWN = 40
-"""Characters of an offending word that are repeated to the user."""
-
-_SHOWN_OF_A_PART = 80
-"""Characters of what was understood, and of what was not, that are repeated to the user."""
+_SHOWN, _SHOWN_OF_A_PART = 40, 80
+"""Characters of an offending word that are repeated to the user, and of what was understood or was not."""
 
 _KNOWN_WORDS = 2
 """So many words of a sentence must be known for one that is mistyped: another language is not mended."""
@@ -49,8 +47,7 @@ def explanations() -> Mapping[str, Any]:
 
 def examples() -> Sequence[str]:
     """Valid wordings, one or two of each action."""
-    said: Sequence[str] = explanations()["examples"]
-    return said
+    return tuple(explanations()["examples"])
 
 
 class Explainer:
@@ -63,37 +60,48 @@ class Explainer:
         """Why there is no parse."""
         size = len(lattice.pieces)
         if not size:
-            return Refusal(f"{printable(lattice.plain)!r} says nothing to do", lattice.plain, examples()[0])
+            shown = printable(lattice.plain)
+            return Refusal(f"{shown!r} says nothing to do", shown, examples()[0])
         broken = max(chart.furthest, lattice.first_said)
         understood = chart.understood()
+        part = "" if understood is None else printable(lattice.text(*understood), _SHOWN_OF_A_PART)
+        part = f"I understood {part!r}; " if part else ""
         forbidden = next(self._forbidden(lattice, chart), None)
         if forbidden is not None:
-            return self._told(forbidden, lattice, understood)
+            inside = understood is not None and understood[0] <= forbidden.start < understood[1]
+            return self._told(forbidden, "" if inside else part)
         unknown = lattice.unknown()
         if unknown is not None and (understood is None or unknown <= broken):
-            return self._unknown(lattice, chart, unknown, understood)
+            mended = self._mended(lattice, unknown, chart.expected if unknown == chart.furthest else None)
+            return self._at(lattice, unknown, f"{part}the word ", f" is not known{mended}")
         if understood is not None:
-            return self._only_a_part(lattice, *understood)
+            rest = printable(_beside(lattice, *understood), _SHOWN_OF_A_PART)
+            if not rest:
+                return Refusal(_TOGETHER, None, self.nearest_example(lattice.plain))
+            return Refusal(f"{part}I did not understand {rest!r}. Say only the command", rest, None)
         ended = broken >= size or lattice.ends[broken]
-        behind = self._refused(lattice, explanations()["behind"], range(size))
-        here = self._refused(lattice, None, (broken, broken - 1), chart)
-        found = next(behind if ended else here, None)
+        places = range(size) if ended else (broken, broken - 1)
+        found = next(self._refused(lattice, explanations()["behind"] if ended else None, places), None)
         if found is not None:
-            return self._told(found, lattice, None)
+            return self._told(found, "")
         if lattice.may_begin(broken):
-            return self._at(lattice, lattice.first_said, "a command begins with what to do, not with {!r}")
+            return self._at(lattice, lattice.first_said, "a command begins with what to do, not with ")
         if ended and chart.unfit:
-            return self._at(lattice, size - 1, _TOGETHER)
+            return Refusal(_TOGETHER, None, self.nearest_example(lattice.plain))
         if ended:
             last = max((at for at in range(size) if not lattice.pieces[at].is_mark), default=0)
-            return self._at(lattice, last, "after {!r} something is missing")
+            return self._at(lattice, last, "after ", " something is missing")
         before = printable(lattice.pieces[broken - 1].text)
-        return self._at(lattice, broken, f"{{!r}} does not fit after {before!r}")
+        return self._at(lattice, broken, "", f" does not fit after {before!r}")
 
-    def _at(self, lattice: Lattice, position: int, message: str) -> Refusal:
+    def _at(self, lattice: Lattice, position: int, before: str, behind: str = "") -> Refusal:
         """Refuse a piece, and offer what looks like the sentence."""
         shown = printable(lattice.pieces[position].text)
-        return Refusal(message.format(shown), shown, self.nearest_example(lattice.plain))
+        return Refusal(f"{before}{shown!r}{behind}", shown, self.nearest_example(lattice.plain))
+
+    def _told(self, word: Word, part: str) -> Refusal:
+        """Refuse a word behind what was understood beside it."""
+        return Refusal(f"{part}{self._message(word)}", printable(word.said), None)
 
     def forbids(self, lattice: Lattice, chart: Chart) -> bool:
         """Whether a word of a sentence is never acted on, so that nothing is asked about the rest."""
@@ -105,75 +113,36 @@ class Explainer:
         for classes in explanations()["anywhere"]:
             yield from self._refused(lattice, classes, range(size))
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, size)):
-            joined = start > 0 and (lattice.pieces[start - 1].is_mark or lattice.ends_with(start, _JOINS))
-            if joined or lattice.may_begin(start):
+            if begins_clause(lattice, start):
                 for done in self._refused(lattice, explanations()["beginning"], (start,)):
                     if not chart.begins_command(one for one in lattice.phrase(start) if one.end >= done.end):
                         yield done
 
-    def _refused(
-        self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int], chart: Chart | None = None
-    ) -> Iterator[Word]:
+    def _refused(self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int]) -> Iterator[Word]:
         """Words that are known and never acted on, of some classes, the longest of each place first."""
         for position in places:
             words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
-            if chart is not None and chart.begins_command(words):
-                continue
             for word in sorted(words, key=lambda one: -one.end):
-                wanted = (
-                    word.word_class in only if only else word.word_class not in explanations()["small_words"]
-                )
-                if wanted and self._message(word) is not None:
+                if (only is None or word.word_class in only) and self._message(word) is not None:
                     yield word
 
     def _message(self, word: Word) -> str | None:
         """What a word is refused with; None where it is none that is refused."""
         said = printable(word.said)
         used: str | None = explanations()["messages"].get(word.word_class)
-        return (
-            used.format(word=said)
-            if used
-            else self._vocabulary.refusal_of(word.word_class, word.meaning, said)
-        )
+        if used is not None:
+            return used.format(word=said)
+        return self._vocabulary.refusal_of(word.word_class, word.meaning, said)
 
-    def _told(self, word: Word, lattice: Lattice, understood: tuple[int, int] | None) -> Refusal:
-        """Refuse a word, and say what was understood beside it."""
-        beside = understood is not None and not understood[0] <= word.start < understood[1]
-        part = self._part(lattice, understood) if beside else ""
-        return Refusal(f"{part}{self._message(word)}", printable(word.said), None)
-
-    @staticmethod
-    def _part(lattice: Lattice, understood: tuple[int, int] | None) -> str:
-        """How a message begins that says what was understood."""
-        text = "" if understood is None else printable(lattice.text(*understood), _SHOWN_OF_A_PART)
-        return f"I understood {text!r}; " if text else ""
-
-    def _only_a_part(self, lattice: Lattice, start: int, end: int) -> Refusal:
-        """Refuse what stands beside a command, and show the command."""
-        part = self._part(lattice, (start, end))
-        while end < len(lattice.pieces) and lattice.pieces[end].is_mark:
-            end += 1
-        behind, before = lattice.text(end, len(lattice.pieces)), lattice.text(0, start)
-        rest = printable(behind or before, _SHOWN_OF_A_PART)
-        if not rest:
-            return self._at(lattice, end - 1, _TOGETHER)
-        return Refusal(f"{part}I did not understand {rest!r}. Say only the command", rest, None)
-
-    def _unknown(
-        self, lattice: Lattice, chart: Chart, position: int, understood: tuple[int, int] | None
-    ) -> Refusal:
-        """Refuse an unknown word, with the known one that may have been meant."""
-        text = lattice.pieces[position].text
-        message = f"{self._part(lattice, understood)}the word {{!r}} is not known"
-        expected = chart.expected if position == chart.furthest else None
+    def _mended(self, lattice: Lattice, position: int, expected: AbstractSet[str] | None) -> str:
+        """The known word that an unknown one may have been meant to be, as a question."""
         near = [
             one
-            for one in meant_by(text, self._vocabulary.single_words)
+            for one in meant_by(lattice.pieces[position].text, self._vocabulary.single_words)
             if expected is None or not self._begun([one]).isdisjoint(expected)
         ]
-        if near and len(lattice.unknown_pieces()) * _KNOWN_WORDS <= len(lattice.pieces):
-            message = f"{message}; did you mean {near[0]!r}?"
-        return self._at(lattice, position, message)
+        foreign = len(lattice.unknown_pieces()) * _KNOWN_WORDS > len(lattice.pieces)
+        return f"; did you mean {near[0]!r}?" if near and not foreign else ""
 
     def is_mistyped(self, word: str) -> bool:
         """Whether what looks like a name is rather a known word, mistyped."""
@@ -183,20 +152,33 @@ class Explainer:
     def nearest_example(self, text: str) -> str | None:
         """The valid wording of an action that a text names which looks most like it, if there is one."""
         said = _words_of(text)[:_LONGEST]
-        begun = {
-            name for at in range(len(said)) if not self._is_noun(said, at) for name in self._begun(said[at:])
-        }
+        verbs = [self._begun(said[at:]) for at in range(len(said)) if not self._is_noun(said, at)]
+        begun: set[str] = set().union(*verbs)
         fitting = [one for one in examples() if not begun.isdisjoint(self._begun(_words_of(one)))]
         words = {word.rstrip("s") for word in said}
         return max(fitting, key=lambda one: len(words & set(_words_of(one))) / len(one.split()), default=None)
 
     def _begun(self, said: Sequence[str]) -> set[str]:
-        """The word classes of the longest phrase that some words begin with."""
-        return {reading.word_class for reading in self._vocabulary.match(said)[1]}
+        """The word classes of all phrases that some words begin with."""
+        return {reading.word_class for _, reading in self._vocabulary.matches(said, 0)}
 
     def _is_noun(self, said: Sequence[str], at: int) -> bool:
         """Whether a word that may be a verb is none, for an article stands before it: "the watch"."""
-        return at > 0 and not self._begun(said[at - 1 : at]).isdisjoint(_BEFORE_A_NOUN)
+        return at > 0 and not self._begun([said[at - 1]]).isdisjoint(_BEFORE_A_NOUN)
+
+
+def _beside(lattice: Lattice, start: int, end: int) -> str:
+    """What stands behind a part of a sentence, or else before it."""
+    while end < len(lattice.pieces) and lattice.pieces[end].is_mark:
+        end += 1
+    behind = "" if lattice.ends[end] else lattice.text(end, len(lattice.pieces))
+    return behind or lattice.text(0, start)
+
+
+def begins_clause(lattice: Lattice, start: int) -> bool:
+    """Whether only courtesies, a conjunction or a mark stand before a place."""
+    joined = start > 0 and (lattice.pieces[start - 1].is_mark or lattice.ends_with(start, _JOINS))
+    return joined or lattice.may_begin(start)
 
 
 def _words_of(text: str) -> list[str]:
