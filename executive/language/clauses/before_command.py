@@ -59,7 +59,8 @@ def _led(parts: Parts) -> Clause | None:
     if any(one.action not in takes or one.get(slot) is not None for one, *_ in command.bundles):
         return None
     bundles = tuple((one.with_slot(slot, value), *rest) for one, *rest in command.bundles)
-    return replace(command, bundles=bundles, terse=True, topic=not by_hand, hand_first=by_hand)
+    topic = isinstance(led, Where) and led.role == "is"
+    return replace(command, bundles=bundles, terse=True, topic=topic, hand_first=by_hand)
 
 
 def _led_by_hand(parts: Parts) -> Clause | None:

@@ -55,12 +55,12 @@ def _sentence(parts: Parts) -> Sentence | Trouble | None:
     clauses = in_order(said)
     if isinstance(clauses, tuple) and len(clauses) > 1 and all(map(_stops, clauses)):
         return Sentence(clauses[:1])  # "whoa, stop right there" is one stop
+    revoked = [one.part.revokes for one in said if isinstance(one.part, Clause) and one.part.revokes]
+    if revoked and len(said) > 1:
+        return Trouble(f"{revoked[0]!r} takes back what was said; nothing is done", revoked[0])
     doubt = _doubt_of_reasons(parts) or (clauses if isinstance(clauses, Trouble) else _doubt_of_clauses(said))
     if doubt is not None or isinstance(clauses, Trouble):
         return doubt
-    revoked = next((one.revokes for one in clauses if one.revokes), None)
-    if revoked is not None and len(clauses) > 1:
-        return Trouble(f"{revoked!r} takes back what was said; nothing is done", revoked)
     unseparated = [pair for pair in itertools.pairwise(said) if pair[1].separator is Separator.NOTHING]
     if any(clause.form != "base" for clause in clauses) or any(_run_together(*pair) for pair in unseparated):
         return None

@@ -152,7 +152,11 @@ class Explainer:
     def nearest_example(self, text: str) -> str | None:
         """The valid wording of an action that a text names which looks most like it, if there is one."""
         said = _words_of(text)[:_LONGEST]
-        verbs = [self._begun(said[at:]) for at in range(len(said)) if not self._is_noun(said, at)]
+        verbs = [
+            self._begun(said[at:])
+            for at in range(len(said))
+            if at == 0 or self._begun([said[at - 1]]).isdisjoint(_BEFORE_A_NOUN)  # "the watch" is no verb
+        ]
         begun: set[str] = set().union(*verbs)
         fitting = [one for one in examples() if not begun.isdisjoint(self._begun(_words_of(one)))]
         words = {word.rstrip("s") for word in said}
@@ -161,10 +165,6 @@ class Explainer:
     def _begun(self, said: Sequence[str]) -> set[str]:
         """The word classes of all phrases that some words begin with."""
         return {reading.word_class for _, reading in self._vocabulary.matches(said, 0)}
-
-    def _is_noun(self, said: Sequence[str], at: int) -> bool:
-        """Whether a word that may be a verb is none, for an article stands before it: "the watch"."""
-        return at > 0 and not self._begun([said[at - 1]]).isdisjoint(_BEFORE_A_NOUN)
 
 
 def _beside(lattice: Lattice, start: int, end: int) -> str:
