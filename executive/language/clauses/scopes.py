@@ -50,7 +50,7 @@ class Further:
 
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
 
-_SENTENCE_ENDS = frozenset({".", ";", "!"})
+_MARKS: Mapping[str, Separator] = {"?": Separator.ASKED, **dict.fromkeys(".;!", Separator.STOP)}
 _AND, _AFTER = "and", "after"
 """Meanings of joining words and of conjunctions."""
 
@@ -62,8 +62,7 @@ def _separator(parts: Parts) -> Separator:
 
 def _separates(word: Any) -> Separator:
     if word.word_class == "PAUSE":
-        ends = Separator.STOP if word.meaning in _SENTENCE_ENDS else Separator.COMMA
-        return Separator.ASKED if word.meaning == "?" else ends
+        return _MARKS.get(word.meaning, Separator.COMMA)
     if word.word_class == "BULLET":
         return Separator.STOP
     return Separator.AND if word.meaning == _AND else Separator.THEN
