@@ -16,7 +16,7 @@ from executive.language.chart.outcomes import Outcome, explains_best, outcomes_o
 from executive.language.commands.selection import MEANINGS as SELECTIONS
 from executive.language.commands.selection import Selection, description_of
 from executive.language.explain.missing import what_is_missing
-from executive.language.explain.refusals import EXAMPLES, Explainer, printable
+from executive.language.explain.refusals import Explainer, examples, printable
 from executive.language.phrases.values import Nominal, Trouble
 from executive.language.text.lattice import Lattice
 from executive.language.text.piece import Piece
@@ -32,7 +32,7 @@ from executive.vocabulary.place_words import place_words
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 
-__all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
+__all__ = ["CommandParser", "examples", "parse", "parse_selection", "parser_with", "printable"]
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
@@ -104,13 +104,13 @@ class CommandParser:
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
-            return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
+            return Parsed(text, refusal=Refusal(malformed.message, malformed.word, examples()[0]))
         chart = self._chart(lattice)
         try:
             outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
-            return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
+            return Parsed(text, refusal=Refusal(message, None, examples()[0]))
         if not outcomes:
             missing = what_is_missing(lattice, chart)
             if missing is not None and not self._explainer.forbids(lattice, chart):

@@ -99,17 +99,14 @@ class Chart:
             before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
         )
 
+    @property
+    def verbs(self) -> AbstractSet[str]:
+        """Word classes that begin a command."""
+        return self._rules["command"].first
+
     def begins_command(self, words: Iterable[Word]) -> bool:
         """Whether one of some words can begin a command."""
-        first = self._rules["command"].first
-        return any(word.word_class in first for word in words)
-
-    def has_beginning_of(self, rule: str) -> bool:
-        """Whether some word of the sentence can begin what a rule describes."""
-        first = self._rules[rule].first
-        return any(
-            not first.isdisjoint(self._lattice.classes(start)) for start in range(len(self._lattice.pieces))
-        )
+        return any(word.word_class in self.verbs for word in words)
 
     def _spans(self, name: str, start: int) -> Spans:
         known = self._known.get((name, start))

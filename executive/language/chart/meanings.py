@@ -7,11 +7,10 @@ from types import MappingProxyType
 
 from executive.language.clauses import (
     before_command,
-    given_reasons,
+    scopes,
     sentences,
     statements,
 )
-from executive.language.clauses.fronted import fronted
 from executive.language.commands import (
     attention,
     gestures,
@@ -39,7 +38,6 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **before_command.MEANINGS,
         **features.MEANINGS,
         **gestures.MEANINGS,
-        **given_reasons.MEANINGS,
         **going.MEANINGS,
         **handling.MEANINGS,
         **lists.MEANINGS,
@@ -48,10 +46,10 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **pairs.MEANINGS,
         **places.MEANINGS,
         **placing.MEANINGS,
+        **scopes.MEANINGS,
         **sentences.MEANINGS,
         **skilled.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,
-        "fronted": fronted,
     }
 )

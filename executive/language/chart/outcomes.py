@@ -35,7 +35,7 @@ def outcomes_of(
     troubles: dict[Trouble, None] = {}
     asked: list[int] = []
     understood: dict[str, tuple[tuple[int, ...], tuple[Command, ...]]] = {}
-    for meaning in meanings:
+    for meaning in sorted(meanings, key=lambda one: not isinstance(one, Trouble)):
         if isinstance(meaning, Trouble):
             troubles[meaning] = None
         elif isinstance(meaning, Sentence):
@@ -96,8 +96,9 @@ def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]
     return len(longer) > len(shorter) and ends == [one.action for one in shorter] and not handled
 
 
-def explains_best(trouble: Trouble) -> tuple[bool, bool, bool, bool, bool]:
+def explains_best(trouble: Trouble) -> tuple[bool, ...]:
     """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
     no_more = trouble.message == NO_DIRECTION
     harmless = not trouble.message.endswith(HARMS)
-    return harmless, EXCEEDS not in trouble.message, no_more, not trouble.asks, trouble != UNCLEAR_ORDER
+    clear = trouble != UNCLEAR_ORDER
+    return harmless, EXCEEDS not in trouble.message, no_more, not trouble.asks, clear, not trouble.choices

@@ -23,7 +23,7 @@ MANNER = "manner"
 AGAIN = "again"
 """What is done again is done; said, it is a word like others: "see you again"."""
 
-_MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER), ("BRIEFLY", "hurry")})
+_MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER)})
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
 _BEFORE_ALL = "before_all"
 """Meaning of those words of order that name what is done later: "before doing anything else"."""

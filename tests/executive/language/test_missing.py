@@ -20,9 +20,9 @@ from executive.understanding.conversation import Conversation
         ("say", "say what?"),
         ("tell Ana", "tell Ana what?"),
         ("pick up the cup and", "pick up the cup and what?"),
-        ("red cup pls", "what shall be done with the red cup?"),
-        ("The cup and the bowl.", "what shall be done with the cup and the bowl?"),
-        ("Coffee, please!", "what shall be done with the coffee?"),
+        ("red cup pls", "what shall be done with 'red cup'?"),
+        ("The cup and the bowl.", "what shall be done with 'The cup and the bowl'?"),
+        ("Coffee, please!", "what shall be done with 'Coffee'?"),
     ],
 )
 def test_what_is_missing_is_asked_for(said, text):
@@ -47,7 +47,6 @@ def test_a_number_without_a_unit_is_asked_with_a_sentence_for_each():
         "don't pick up the",
         "throw the",
         "if Ana comes, open",
-        "put on the hat",
         "good morning",
         "go on",
         "Ana",

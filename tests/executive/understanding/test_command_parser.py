@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from executive.language.text.tokens import WRITTEN_OUT
 from executive.meaning import wording
-from executive.understanding.command_parser import EXAMPLES, parse
+from executive.understanding.command_parser import examples, parse
 from executive.vocabulary import load_vocabulary
 
 RED_CUP = {"action": "pick", "object": {"kind": "cup", "color": "red"}}
@@ -201,7 +201,7 @@ def test_an_unnamed_object_is_asked_for(text):
     assert parsed.commands == ()
 
 
-@pytest.mark.parametrize("text", EXAMPLES)
+@pytest.mark.parametrize("text", examples())
 def test_the_wordings_that_are_offered_are_valid(text):
     assert parse(text).outcome == "tasks"
 
