@@ -44,7 +44,6 @@ _COMPLETE = frozenset(
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
-_HELPS_BODY = "HELPS_BODY"
 _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 """Word class of what is known as a verb only, at the beginning of a clause."""
 _NUMBERS = frozenset({"AMOUNT", "TENS"})
@@ -219,12 +218,9 @@ class Lattice:
             start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
             for length, reading in vocabulary.matches(texts, start - 1)
         )
-        body = max((word.end for word in found if word.word_class == _HELPS_BODY), default=0)
         for word in found:
             for index in range(start, word.end) if word.word_class != _ONLY_REFUSED else ():
                 self._covered[index] = True
-            if word.end < body and word.word_class == "OPENING":
-                continue  # "help me get up" asks for a hand, and "get" for nothing
             if word.end < idiom:
                 continue  # "take a picture" takes no picture from the wall
             if word.word_class in _DESCRIBING and word.end < compound:
