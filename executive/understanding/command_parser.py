@@ -19,13 +19,9 @@ from executive.language.explain.missing import what_is_missing
 from executive.language.explain.refusals import EXAMPLES, Explainer, printable
 from executive.language.phrases.values import Nominal, Trouble
 from executive.language.text.lattice import Lattice
-from executive.language.text.piece import Piece
-from executive.language.text.tokens import (
-    MalformedTextError,
-    normalise,
-    pieces_of,
-)
-from executive.language.text.unlisted_names import looks_like_a_name
+from executive.language.text.names import looks_like_a_name
+from executive.language.text.tokens import MalformedTextError, normalise, pieces_of
+from executive.language.text.word import Piece
 from executive.meaning import Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.place_words import place_words

@@ -10,7 +10,6 @@ from executive.language.text.word import Word
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_SPOKEN_MARK = "SPOKEN_MARK"
 _SEPARATES = frozenset({"PAUSE", "SEP", "BEFORE", "AFTER", "AFTER_DOING"})
 
 
@@ -27,42 +26,32 @@ def free_text(lattice: Lattice, start: int, commands: AbstractSet[str]) -> list[
     size = len(lattice.pieces)
     if start >= size or lattice.pieces[start].is_mark:
         return []
-    goes_on, separator = _goes_on(lattice, start, commands)
-    marked, mark = _dictated(lattice, start)
+    open_at, by = _may_end(lattice, start, commands)
     return [
         Word(
-            "TEXT",
-            lattice.text(start, end),
-            start,
-            end,
-            mark if end > marked else separator if end > goes_on else _time(lattice, end),
+            "TEXT", lattice.text(start, end), start, end, by if end > open_at else _time_at(lattice, end)
         )
         for end in range(start + 1, size + 1)
         if lattice.text_may_end(end)
-    ]
+    ]  # fmt: skip
 
 
-def _time(lattice: Lattice, position: int) -> str:
+def _time_at(lattice: Lattice, position: int) -> str:
     """``TIME`` where a time begins that may belong to the words before it."""
     begins = lattice.phrase(position) if position < len(lattice.pieces) else ()
     return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
 
 
-def _dictated(lattice: Lattice, start: int) -> tuple[int, str]:
-    """Where behind the first word a mark is dictated, and its text: it is said, or ends what is said."""
-    for position in range(start + 1, len(lattice.pieces)):
-        for word in lattice.phrase(position):
-            if word.word_class == _SPOKEN_MARK:
-                return position, word.said
-    return len(lattice.pieces), ""
+def _may_end(lattice: Lattice, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
+    """The first place where words to say may end though they go on, and what is said there.
 
-
-def _goes_on(lattice: Lattice, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
-    """Where after a place the first separator stands that a command may follow, and its text."""
+    A dictated mark stands there ("hello period"), or a separator that a command may follow.
+    """
     size = len(lattice.pieces)
     for position in range(start + 1, size):
         for word in lattice.phrase(position):
             follows = word.end < size and lattice.classes(word.end)
-            if word.word_class in _SEPARATES and follows and not commands.isdisjoint(follows):
+            parted = word.word_class in _SEPARATES and follows and not commands.isdisjoint(follows)
+            if parted or word.word_class == "SPOKEN_MARK":
                 return position, word.said or lattice.pieces[position].text
     return size, ""

@@ -10,7 +10,7 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-from executive.language.text.piece import Piece
+from executive.language.text.word import Piece
 from executive.vocabulary.written import BRIDGE_WORDS, split_words
 
 MAX_LENGTH = 500

@@ -11,7 +11,7 @@ from executive.vocabulary import Vocabulary, WordClass, load_vocabulary
 
 
 def chart(productions, classes, text, meanings):
-    vocabulary = Vocabulary([WordClass(name, words) for name, words in classes.items()])
+    vocabulary = Vocabulary.of([WordClass(name, words) for name, words in classes.items()])
     return Chart(rules_of(productions), meanings, Lattice(text, pieces_of(text), vocabulary))
 
 

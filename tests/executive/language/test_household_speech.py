@@ -13,8 +13,8 @@ def tasks_of(sentence):
     ("said", "means"),
     [
         ("bring us the cup", "bring me the cup"),
-        ("come over to me robot", "come to me"),
-        ("bring me the cup, would you love", "bring me the cup"),
+        ("come over to me, robot", "come to me"),
+        ("bring me the cup, love", "bring me the cup"),
         ("grab the cup for a sec", "grab the cup"),
         ("show me where the cup is", "point at the cup"),
         ("go in the pantry", "go to the pantry"),
