@@ -1,10 +1,9 @@
-"""English forms of words: plurals, -ing and past participles."""
+"""English forms of words: plurals, -ing, past participles, and those that are typed in haste."""
 
 from __future__ import annotations
 
 import importlib.resources
 from functools import cache
-from typing import Any
 
 from robots.toml_text import read_toml
 
@@ -12,11 +11,11 @@ _VOWELS = "aeiou"
 
 
 @cache
-def _forms() -> dict[str, Any]:
-    """What no rule gives."""
-    return read_toml(
-        importlib.resources.files("executive.vocabulary").joinpath("forms.toml").read_text("utf-8")
-    )
+def _forms() -> dict[str, dict[str, str]]:
+    """What no rule gives, by the kind of form; a word that is only listed is its own form."""
+    file = importlib.resources.files("executive.vocabulary").joinpath("forms.toml")
+    lists = read_toml(file.read_text("utf-8")).items()
+    return {kind: {one.split()[0]: one.split()[-1] for one in words} for kind, words in lists}
 
 
 def plural(phrase: str) -> str:
@@ -60,3 +59,8 @@ def participle(phrase: str) -> str:
     elif form is None:
         form = first.removesuffix("e") + "ed"
     return " ".join([form, *rest])
+
+
+def written_out(word: str) -> str:
+    """A word that is typed in haste as it is written: "what's" for "whats"."""
+    return _forms()["typed"].get(word, word)

@@ -11,9 +11,6 @@ from pathlib import Path
 
 from executive.vocabulary.kept import kept
 
-BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
-"""Terminals that are recognised by their form, not listed."""
-
 CLOSING = "rest"
 """The rule for all clauses after the first, to the end of the sentence."""
 
@@ -128,8 +125,3 @@ def _first(name: str, begins: dict[str, set[str]]) -> frozenset[str]:
             else:
                 pending.append(part)
     return frozenset(terminals)
-
-
-def unknown_terminals(known: Sequence[str]) -> set[str]:
-    """Word classes that the grammar names and nobody lists."""
-    return terminals_of(grammar_text()) - set(known) - BEYOND_VOCABULARY

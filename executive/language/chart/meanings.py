@@ -5,12 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from executive.language.clauses import (
-    before_command,
-    given_reasons,
-    sentences,
-    statements,
-)
+from executive.language.clauses import before_command, given_reasons, sentences, statements
 from executive.language.clauses.fronted import fronted
 from executive.language.commands import (
     attention,
@@ -23,41 +18,15 @@ from executive.language.commands import (
     turns,
     waiting,
 )
-from executive.language.phrases import (
-    amounts,
-    features,
-    lists,
-    nominals,
-    pairs,
-    places,
-    quantities,
-    sharing,
-)
+from executive.language.phrases import amounts, features, lists, nominals, pairs, places, quantities, sharing
 from executive.language.phrases.values import Meaning
 
+_MODULES = (
+    *(amounts, features, lists, nominals, pairs, places, quantities, sharing),
+    *(attention, gestures, going, handling, placing, skilled, speech, turns, waiting),
+    *(before_command, given_reasons, sentences, statements),
+)
+
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
-    {
-        **amounts.MEANINGS,
-        **attention.MEANINGS,
-        **before_command.MEANINGS,
-        **features.MEANINGS,
-        **gestures.MEANINGS,
-        **given_reasons.MEANINGS,
-        **going.MEANINGS,
-        **handling.MEANINGS,
-        **lists.MEANINGS,
-        **nominals.MEANINGS,
-        **pairs.MEANINGS,
-        **places.MEANINGS,
-        **placing.MEANINGS,
-        **quantities.MEANINGS,
-        **sentences.MEANINGS,
-        **sharing.MEANINGS,
-        **skilled.MEANINGS,
-        **speech.MEANINGS,
-        **statements.MEANINGS,
-        **turns.MEANINGS,
-        **waiting.MEANINGS,
-        "fronted": fronted,
-    }
+    {"fronted": fronted} | {name: one for module in _MODULES for name, one in module.MEANINGS.items()}
 )

@@ -15,7 +15,7 @@ HESITATION = "HESITATION"
 
 _BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL = "beside", "again", "set_off", "before_all"
 """Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
-you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all in ...")
+you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all").
 """
 
 _MANNERS = frozenset({(FILLER, "manner"), ("OPENING", "manner"), ("BRIEFLY", "hurry")})
