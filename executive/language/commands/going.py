@@ -66,8 +66,12 @@ def target(item: Item) -> Nominal:
     return nominal
 
 
-def _standing(goal: Nominal) -> Nominal:
-    """Somewhere to walk to: an animal is not followed."""
+def _somewhere(item: Item) -> Nominal:
+    """Somewhere to walk to: the chairs are a place as one of them is, and an animal is not followed."""
+    of = item.of
+    if isinstance(of, Nominal) and of.sort == "furniture" and of.plural and of.determined and not of.counted:
+        item = replace(item, of=replace(of, plural=False, count=1))
+    goal = target(item)
     if goal.sort == "animal":
         raise trouble(f"walking after an animal ({goal.kind!r}) is no skill of this robot", goal.kind)
     return goal
@@ -92,7 +96,7 @@ class _By:
 
 def _toward(parts: Parts) -> Nominal | _By:
     """Where to; into something that is no room would be a collision."""
-    goal = _standing(target(parts[-1]))
+    goal = _somewhere(parts[-1])
     links = words(parts, "TO_ALSO", "IN")
     if goal.kind == "bed" and not goal.determined and links:
         raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)
@@ -155,7 +159,7 @@ def _toward_relation(parts: Parts) -> Relative:
         raise unfit()
     if kind == "under":
         raise trouble("walking under something is no skill of this robot", words(parts, "RELATION")[0].said)
-    return Relative(kind, _standing(target(parts[-1])))
+    return Relative(kind, _somewhere(parts[-1]))
 
 
 def _walk(parts: Parts) -> Clause:
@@ -194,7 +198,7 @@ def _walk_bare(parts: Parts) -> Clause:
 
 
 def _walk_item(parts: Parts) -> Clause:
-    goal = _standing(target(parts[-1]))
+    goal = _somewhere(parts[-1])
     reached = any(word.said.startswith("reach") for word in words(parts, "APPROACH"))
     if reached and not (goal.is_place and goal.is_plain):
         raise unfit()  # with a hand, or on foot?

@@ -68,7 +68,7 @@ class Discourse:
         self._mention: Mention | None = None
         self._stated_at: Nominal | None = None
         self._it_beside: tuple[int, int] | None = None
-        self._called: dict[str, str] = {}
+        self._called: dict[str, tuple[int, str]] = {}
         self._whose: dict[Nominal, str] = {}
         self._placed: dict[int, tuple[str, Any, Any]] = {}
         self._said_before: tuple[Nominal, ...] = ()
@@ -115,8 +115,9 @@ class Discourse:
             whose = self._whose.setdefault(nominal, nominal.whose)
             if whose != nominal.whose:
                 raise ask(f"'{whose} {nominal.said}' and '{nominal.whose} {nominal.said}': which is which?")
-        before = self._called.setdefault(nominal.kind, nominal.said)
-        if not _is_one_name(before, nominal.said):
+        clause, before = self._called.setdefault(nominal.kind, (self._clause, nominal.said))
+        one_place = nominal.is_place and clause != self._clause  # "go to the bin, throw it in the trash"
+        if not one_place and not _is_one_name(before, nominal.said):
             raise ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")
 
     def _name_place(self, value: Any) -> None:
