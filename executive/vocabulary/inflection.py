@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.resources
+from collections.abc import Mapping
 from functools import cache
 
 from robots.toml_text import read_toml
@@ -11,17 +12,16 @@ _VOWELS = "aeiou"
 
 
 @cache
-def _forms() -> dict[str, dict[str, str]]:
+def forms(kind: str) -> Mapping[str, str]:
     """What no rule gives, by the kind of form; a word that is only listed is its own form."""
     file = importlib.resources.files("executive.vocabulary").joinpath("forms.toml")
-    lists = read_toml(file.read_text("utf-8")).items()
-    return {kind: {one.split()[0]: one.split()[-1] for one in words} for kind, words in lists}
+    return {one.split()[0]: one.split()[-1] for one in read_toml(file.read_text("utf-8"))[kind]}
 
 
 def plural(phrase: str) -> str:
     """The plural of a noun phrase: that of its last word."""
     *first, last = phrase.split(" ")
-    return " ".join([*first, _forms()["plurals"].get(last) or _regular_plural(last)])
+    return " ".join([*first, forms("plurals").get(last) or _regular_plural(last)])
 
 
 def _regular_plural(word: str) -> str:
@@ -35,9 +35,9 @@ def _regular_plural(word: str) -> str:
 def gerund(phrase: str) -> str:
     """The -ing form of a verb phrase: that of its first word."""
     first, *rest = phrase.split(" ")
-    if first.endswith("ing") and first not in _forms()["ends_so"]:
+    if first.endswith("ing") and first not in forms("ends_so"):
         return phrase
-    if first in _forms()["doubled"]:
+    if first in forms("doubled"):
         form = first + first[-1] + "ing"
     elif first.endswith("ie"):
         form = first[:-2] + "ying"
@@ -51,16 +51,11 @@ def gerund(phrase: str) -> str:
 def participle(phrase: str) -> str:
     """The past participle of a verb phrase: that of its first word."""
     first, *rest = phrase.split(" ")
-    form = _forms()["participles"].get(first)
-    if form is None and first in _forms()["doubled"]:
+    form = forms("participles").get(first)
+    if form is None and first in forms("doubled"):
         form = first + first[-1] + "ed"
     elif form is None and first.endswith("y") and first[-2:-1] not in _VOWELS:
         form = first[:-1] + "ied"
     elif form is None:
         form = first.removesuffix("e") + "ed"
     return " ".join([form, *rest])
-
-
-def written_out(word: str) -> str:
-    """A word that is typed in haste as it is written: "what's" for "whats"."""
-    return _forms()["typed"].get(word, word)

@@ -69,7 +69,7 @@ def target(item: Item) -> Nominal:
 def _somewhere(item: Item) -> Nominal:
     """Somewhere to walk to: the chairs are a place as one of them is, and an animal is not followed."""
     of = item.of
-    if isinstance(of, Nominal) and of.sort == "furniture" and of.plural and of.determined and not of.counted:
+    if of.sort == "furniture" and of.plural and of.determined and not of.counted:
         item = replace(item, of=replace(of, plural=False, count=1))
     goal = target(item)
     if goal.sort == "animal":

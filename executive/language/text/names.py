@@ -142,7 +142,8 @@ def _is_no_title_case(piece: Piece, plain: str, begins: AbstractSet[str]) -> boo
     said = plain[piece.start : piece.end]
     if len(said) > 1 and said == said.upper() != said.lower():
         return len(said) <= 4
-    return said[0].islower() or said.startswith("I") or not begins or not begins.isdisjoint(_PEOPLE)
+    always = len(said.partition("'")[0]) == 1  # "I", "I'm"
+    return said[0].islower() or always or not begins or not begins.isdisjoint(_PEOPLE)
 
 
 def _follows_a_title(piece: Piece, plain: str, begins: AbstractSet[str], formal: bool, second: bool) -> bool:

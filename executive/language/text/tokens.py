@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Iterator
 
 from executive.language.text.word import Piece
-from executive.vocabulary.inflection import written_out
+from executive.vocabulary.inflection import forms
 from executive.vocabulary.written import split_words
 
 MAX_LENGTH = 500
@@ -110,4 +110,4 @@ def _pieces(plain: str) -> Iterator[Piece]:
 
 def _words(plain: str, start: int, end: int) -> Iterator[Piece]:
     for text, first, last in split_words(plain[start:end]):
-        yield Piece(written_out(text), start + first, start + last)
+        yield Piece(forms("typed").get(text, text), start + first, start + last)

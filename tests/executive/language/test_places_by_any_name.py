@@ -12,7 +12,7 @@ def tasks_of(sentence):
 @pytest.mark.parametrize("place", ["waste basket", "bin", "trashbin", "trash can"])
 @pytest.mark.parametrize("thrown", ["in the trash", "in the trash can", "into the bin"])
 def test_a_bin_that_is_walked_to_and_thrown_into_by_two_words_is_one(place, thrown):
-    walk, pick, put = tasks_of(f"navigate to the {place} then get the sponge and throw it {thrown}")
+    walk, _pick, put = tasks_of(f"navigate to the {place} then get the sponge and throw it {thrown}")
 
     assert (walk["to"], put["action"], put["to"]) == ("bin", "put_in", "bin")
 
