@@ -21,8 +21,6 @@ WORD = re.compile(r"(?<![a-z\\])(?:[a-z]{2,}|[ai])(?![a-z])", re.IGNORECASE)
 NO_WORDS_OF_A_PATTERN = re.compile(
     r"\\d\+\(\?:[a-z|]+\)|\\.|\[[^\]]*\]|\(\?(?:P<\w+>|P=\w+|<[=!]|[:=!]|[a-z]+\))"
 )
-    r"\\d\+\(\?:[a-z|]+\)|\\.|\[[^\]]*\]|\(\?(?:P<\w+>|P=\w+|<[=!]|[:=!]|[a-z]+\))"
-)
 
 
 def words_compared(module: Module) -> list[str]:
