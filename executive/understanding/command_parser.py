@@ -121,8 +121,6 @@ class CommandParser:
         except (MalformedTextError, TooTangledError):
             return None
         selections = {description_of(one) for one in found if isinstance(one, Selection)} - {None}
-        if not selections:
-            return None
         return selections.pop() if len(selections) == 1 else None
 
     def _lattice(self, text: str) -> Lattice:

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from executive.vocabulary.inflection import plural
-from executive.vocabulary.kept import kept
 from executive.vocabulary.word_lists import WordClass, read_classes
+from robots.kept import kept
 from robots.outside import VOCABULARY, outside_files
 
 __all__ = ["Reading", "Vocabulary", "WordClass", "Words", "load_vocabulary"]
@@ -143,10 +143,6 @@ class Vocabulary:
         """Every word that occurs in some phrase."""
         lines = itertools.chain.from_iterable(lines.split("\n") for lines in self._beginnings.values())
         return frozenset(word for line in lines for word in line.partition("\t")[0].split(" "))
-
-    def phrases(self, class_name: str) -> list[str]:
-        """Every phrase of a class, sorted."""
-        return sorted(itertools.chain.from_iterable(self.classes[class_name].words.values()))
 
     def refusal(self, reading: Reading, word: str) -> str | None:
         """Why a phrase in one of its readings is not acted on; None when the grammar uses its class."""

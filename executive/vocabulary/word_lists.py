@@ -27,15 +27,10 @@ Tables = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class WordClass:
-    """One class of words.
+    """One class of words, a terminal of the grammar: its phrases by meaning, written out.
 
-    Attributes:
-        name: Terminal of the grammar.
-        words: Phrases by meaning, written out.
-        refusal: Why none of them is acted on, as a format of ``word`` and ``meaning``; None when the
-            grammar uses them.
-        meanings: What ``meaning`` reads like in ``refusal``.
-        derived: Whether its phrases are formed from those of another class.
+    A class that no grammar uses has a ``refusal``: why none of it is acted on, as a format of ``word`` and
+    of ``meaning`` as ``meanings`` says it. The phrases of a ``derived`` one are formed from another's.
     """
 
     name: str
@@ -47,12 +42,7 @@ class WordClass:
 
 @dataclass(frozen=True, slots=True)
 class OutsideWords:
-    """Words that other installed packages add to the vocabulary.
-
-    Attributes:
-        words: For each file where it comes from, and its tables by word class.
-        complaints: Why a file or package was left out, one line each.
-    """
+    """Tables of words that other packages add, by where they come from, and why others were left out."""
 
     words: tuple[tuple[str, Tables], ...]
     complaints: tuple[str, ...] = ()

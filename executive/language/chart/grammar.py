@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from executive.vocabulary.kept import kept
+from robots.kept import kept
 
 CLOSING = "rest"
 """The rule for all clauses after the first, to the end of the sentence."""
@@ -20,13 +20,7 @@ Production = tuple[str, Sequence[str], str]
 
 @dataclass(slots=True)
 class Node:
-    """A place within the productions of one rule.
-
-    Attributes:
-        terminals: What follows after a word of a class.
-        rules: What follows after a part that another rule describes.
-        functions: Names of the meanings of the productions that end here.
-    """
+    """A place within a rule: where a word of a class or a part leads, and which meanings end here."""
 
     terminals: dict[str, Node] = field(default_factory=dict)
     rules: dict[str, Node] = field(default_factory=dict)
@@ -35,14 +29,10 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """One rule of the grammar.
+    """One rule of the grammar, with the word classes that it can begin with and where its productions begin.
 
-    Attributes:
-        name: Its name.
-        first: Word classes that it can begin with.
-        root: Where its productions begin.
-        repeats: Whether it is a repetition, whose parts belong to the rule around it.
-        closes: Whether nothing follows it: what does not reach the end of the sentence is of no use.
+    The parts of one that ``repeats`` belong to the rule around it. Nothing follows one that ``closes``: what
+    does not reach the end of the sentence is of no use.
     """
 
     name: str

@@ -19,7 +19,7 @@ from executive.language.phrases.lists import Joined
 from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Clause, Meaning, Nominal, draft
 from executive.language.resolve.discourse import is_them
-from executive.language.text.free_text import TIME
+from executive.language.text.lattice import TIME
 from executive.language.text.word import Word
 
 UNQUOTED = "which words shall be said? put them in quotation marks"

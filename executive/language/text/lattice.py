@@ -13,6 +13,9 @@ FILLER = "FILLER"
 ADDRESSED = "ADDRESSED"
 HESITATION = "HESITATION"
 
+TIME = "time"
+"""Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
+
 _BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL = "beside", "again", "set_off", "before_all"
 """Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
 you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all").
@@ -29,7 +32,7 @@ _PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "HIM", "EV
 _COMPLETE = _NOUNS | frozenset(
     {
         *("THING", "THINGS", "ONE", "ONES", "FURNITURES", "CONTAINERS", "DOOR", "DOORS", "PERSON", "PEOPLE"),
-        *("NAME", "IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "TENS"),
+        *("NAME", "IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "NUM", "TENS"),
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
@@ -40,6 +43,7 @@ _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 """Word class of what is known as a verb only, at the beginning of a clause."""
 
 _LISTING = frozenset({"SEP", "AND", "PAUSE"})
+_SEPARATES = frozenset({"PAUSE", "SEP", "BEFORE", "AFTER", "AFTER_DOING"})
 _ENDS_A_SENTENCE = frozenset(".!?")
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
@@ -158,17 +162,13 @@ class Lattice:
             return first and not (word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS))
         if word.word_class != HESITATION or first or word.meaning == _SET_OFF:
             return word.word_class == HESITATION and first
-        end = word.start
+        end, after = word.start, word.end
         while end > 0 and self.pieces[end - 1].is_mark:
             end -= 1
-        complete = self.pieces[end - 1].is_number or not self._ended[end].isdisjoint(_COMPLETE)
-        return not complete or not self._after_marks(word.end).isdisjoint(("SEP", "AND"))
-
-    def _after_marks(self, position: int) -> AbstractSet[str]:
-        """Word classes that begin behind the marks at a place."""
-        while position < len(self.pieces) and self.pieces[position].is_mark:
-            position += 1
-        return self._begins[position]
+        while after < len(self.pieces) and self.pieces[after].is_mark:
+            after += 1
+        goes_on = not self._begins[after].isdisjoint(("SEP", "AND"))  # "the cup, um, and the bowl"
+        return goes_on or self._ended[end].isdisjoint(_COMPLETE)
 
     def _is_beside(self, word: Word) -> bool:
         """Whether somebody is addressed who may be meant: "come here, my friend", not "Ana, my friend"."""
@@ -262,13 +262,45 @@ class Lattice:
 
     def unknown(self) -> int | None:
         """The first piece that belongs to no phrase."""
-        return next((index for index, covered in enumerate(self._covered) if not covered), None)
+        return next((at for at, covered in enumerate(self._covered) if not covered), None)
 
     def unknown_pieces(self) -> list[Piece]:
         """All pieces that belong to no phrase."""
-        return [piece for piece, covered in zip(self.pieces, self._covered, strict=True) if not covered]
+        return [self.pieces[at] for at, covered in enumerate(self._covered) if not covered]
 
-    def text_may_end(self, end: int) -> bool:
+    def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
+        """What may be words to say: from a place up to each separator, and to the end.
+
+        Args:
+            start: The place.
+            commands: Word classes that a command begins with. What was ``said`` of a text that goes on
+                after a separator with one of them is that separator: it may be a command of its own. So is
+                a dictated mark ("hello period"). Of a text that a time follows it is ``TIME``.
+        """
+        if start >= len(self.pieces) or self.pieces[start].is_mark:
+            return []
+        open_at, by = self._may_end_before(start, commands)
+        ends = (end for end in range(start + 1, len(self.pieces) + 1) if self._text_may_end(end))
+        return [
+            Word("TEXT", self.text(start, end), start, end, by if end > open_at else self._time_at(end))
+            for end in ends
+        ]
+
+    def _may_end_before(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
+        """The first place where words to say may end though they go on, and what is said there."""
+        for position in range(start + 1, len(self.pieces)):
+            for word in self._own[position]:
+                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self._words[word.end])
+                if follows or word.word_class == "SPOKEN_MARK":
+                    return position, word.said or self.pieces[position].text
+        return len(self.pieces), ""
+
+    def _time_at(self, position: int) -> str:
+        """``TIME`` where a time begins that may belong to the words before it."""
+        begins = self._own[position] if position < len(self.pieces) else ()
+        return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
+
+    def _text_may_end(self, end: int) -> bool:
         """Whether words to say may end at a place."""
         return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
 

@@ -43,15 +43,7 @@ _GOES_ON = frozenset({"SEP", "AND", "DET", "IT", "BEFORE", "AFTER", "FIRST"})
 def unlisted_names(
     pieces: Sequence[Piece], plain: str, begins: Classes, vocabulary: Vocabulary, is_mistyped: IsMistyped
 ) -> Iterator[Word]:
-    """Every name with a part that is in no list, or of two parts.
-
-    Args:
-        pieces: Of the sentence.
-        plain: Its text, with capitals.
-        begins: Word classes that begin at each place.
-        vocabulary: What is known.
-        is_mistyped: Whether an unknown word is rather a known one.
-    """
+    """Every name with a part that is in no list, or of two parts, by a text with its capitals."""
     inside = [at for at in range(1, len(pieces)) if not pieces[at].quoted and _tells(pieces, at)]
     unlisted = {
         at

@@ -9,14 +9,7 @@ _MARKS = frozenset(".,;:!?")
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One word, number, mark or quotation.
-
-    Attributes:
-        text: As it was said, lower-case.
-        start: Where it begins in the normalised text.
-        end: Where it ends.
-        quoted: Whether it is a quotation, without its marks.
-    """
+    """One word, number, mark or quotation (without its marks), in lower case, and where in the text it is."""
 
     text: str
     start: int
@@ -36,14 +29,10 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A phrase in one of its readings.
+    """A phrase in one of its readings: a terminal of the grammar, and what it means there.
 
-    Attributes:
-        word_class: Terminal of the grammar.
-        meaning: What it means there; for a number or a quotation, its text.
-        start: Index of its first piece.
-        end: Index after its last piece.
-        said: Its text, lower-case.
+    The meaning of a number or a quotation is its text. ``start`` and ``end`` are indices of pieces, the
+    end behind the last; ``said`` is what was said, in lower case.
     """
 
     word_class: str
