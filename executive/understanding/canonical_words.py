@@ -113,7 +113,9 @@ def _told(slot: str, word: str) -> str:
         return rank if counted["side"] == "left" else f"{rank}_from_right"
     meaning = _of_slot(slot, plain)
     if meaning is None:
-        near = nearest_word(plain, [one for name in _TOLD_BY[slot] for one in vocabulary().phrases(name)])
+        classes = vocabulary().classes
+        phrases = [one for name in _TOLD_BY[slot] for some in classes[name].words.values() for one in some]
+        near = nearest_word(plain, phrases)
         raise UnknownWordError(f"the {slot} {word[:40]!r} is not known; the nearest is {near!r}", word[:40])
     return _SIDES.get(meaning, meaning)
 

@@ -72,7 +72,7 @@ def _words() -> Iterator[str]:
     """Canonical words with their synonyms; verb forms and plurals follow from them and are left out."""
     from executive.config import config_files
     from executive.vocabulary import load_vocabulary
-    from executive.vocabulary.outside import outside_words
+    from executive.vocabulary.word_lists import outside_words
 
     classes = load_vocabulary(config_files()).classes
     usable = frozenset(name for name, word_class in classes.items() if not word_class.derived)

@@ -13,7 +13,6 @@ from typing import Any
 
 from executive.language.chart.grammar import Node, Rule
 from executive.language.phrases.values import Clause, Items, Meaning, Trouble
-from executive.language.text.free_text import free_text
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 
@@ -156,7 +155,7 @@ class Chart:
 
     def _words(self, word_class: str, position: int, classes: Mapping[str, list[Word]]) -> list[Word]:
         if word_class == "TEXT":
-            return free_text(self._lattice, position, self._rules["command"].first | _REFUSED_COMMANDS)
+            return self._lattice.free_text(position, self._rules["command"].first | _REFUSED_COMMANDS)
         return classes.get(word_class, [])
 
     def _value(self, function: str, parts: tuple[Any, ...]) -> Any:

@@ -27,11 +27,7 @@ def outcomes_of(
     is_command: Callable[[str], bool] = lambda _text: False,
     remembers: bool = False,
 ) -> list[Outcome]:
-    """What each meaning of the whole sentence comes to, without doubles.
-
-    Words to say end as early as they can, clauses are separated where they can be, and "come and" is
-    a courtesy where it can be one; what differs in anything else is ambiguous.
-    """
+    """What each meaning of the whole sentence comes to, without those that are less likely."""
     troubles: dict[Trouble, None] = {}
     asked: list[int] = []
     understood: dict[str, tuple[tuple[int, ...], tuple[Command, ...]]] = {}

@@ -15,7 +15,7 @@ from executive.language.phrases.lists import Joined
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Nominal, draft
 from executive.language.resolve.discourse import is_them
-from executive.language.text.free_text import TIME
+from executive.language.text.lattice import TIME
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
 

@@ -9,7 +9,10 @@ from executive.language.phrases.parts import Parts, nominal_of, words
 from executive.language.phrases.values import Feature, Meaning, Nominal, Relative, Trouble
 from executive.language.text.word import Word
 
-SUPERLATIVES = frozenset({"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"})
+WEIGHTS = frozenset({"heaviest", "lightest"})
+"""What nobody sees: it may be asked about, and nothing is chosen by it."""
+
+SUPERLATIVES = WEIGHTS | {"smallest", "biggest", "tallest", "shortest", "longest", "thinnest", "widest"}
 """Sizes that one thing has among those in view."""
 
 COUNTED_FROM = frozenset({"first", "second", "third", "fourth", "fifth", "sixth"})
@@ -21,6 +24,7 @@ _SLOTS = {
     "COLOR": "color",
     "SIZE": "size",
     "COMPARED": "size",
+    "WEIGHT": "size",
     "MATERIAL": "material",
     "ORDINAL": "ordinal",
     "ANOTHER": "ordinal",

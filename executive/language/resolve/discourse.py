@@ -221,6 +221,8 @@ class Discourse:
         for one in self.named:
             if one.of.kind != of.kind or of.sort not in _TOLD_APART or one.of.anaphoric or of.anaphoric:
                 continue
+            if of.is_place and one.clause != self.clause:
+                continue  # "go to the bin, ... throw it in the trash"
             first, second = one.of.said, of.said
             words, others = set(first.split()), set(second.split())
             stem = max(min(len(first), len(second)) - 2, 3)

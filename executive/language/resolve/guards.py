@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from executive.language.phrases.features import SUPERLATIVES
+from executive.language.phrases.features import SUPERLATIVES, WEIGHTS
 from executive.language.phrases.values import HARMS, Draft, Nominal, Relative, Trouble
 from executive.language.resolve.antecedents import OPENED, in_hand, may_be_said_again, says_more
 from executive.language.resolve.discourse import PUTS_DOWN, Discourse
@@ -201,7 +201,20 @@ def _told_of_what(told: Discourse, order: Order) -> Trouble | None:
     return None
 
 
+def _by_weight(_told: Discourse, order: Order) -> Trouble | None:
+    """Take the heaviest cup: which that is can be asked, and nothing can be chosen by it."""
+    named = [value for _, value in order.said.slots] + [order.named]
+    named += [of.relation for of in named if isinstance(of, Nominal)]
+    of = [one.to if isinstance(one, Relative) else one for one in named]
+    weighed = [one.size for one in of if isinstance(one, Nominal) and one.size in WEIGHTS]
+    if not weighed or (order.said.action == "describe" and len(set(weighed)) == 1):
+        return None
+    told = "this robot cannot weigh things before it lifts them; say colour, size or where it is"
+    return Trouble(f"{weighed[0]!r}: {told}", weighed[0])
+
+
 _GUARDS: tuple[Guard, ...] = (
+    _by_weight,
     _in_hand_already,
     _given_already,
     _left_somewhere,

@@ -13,9 +13,8 @@ def tasks_of(sentence):
     ("said", "means"),
     [
         ("bring us the cup", "bring me the cup"),
-        ("come over to me robot", "come to me"),
-        ("bring me the cup, would you love", "bring me the cup"),
-        ("come here for a sec", "come here"),
+        ("come over to me, robot", "come to me"),
+        ("bring me the cup, love", "bring me the cup"),
         ("show me where the cup is", "point at the cup"),
         ("the cups, bring them to me", "bring me the cups"),
         ("find the ball hiding under the sofa", "find the ball under the sofa"),

@@ -7,7 +7,7 @@ import pytest
 
 from executive.understanding.command_parser import parse
 
-STATES = [" is cold", " is really hungry", "'s asleep", " is waiting for you", " is in the kitchen"]
+STATES = [" is cold", " is really hungry", " is asleep", " is waiting for you", " is in the kitchen"]
 ERRANDS = ["bring her a blanket", "wave to her", "tell her that dinner is ready", "hand her the cup"]
 
 

@@ -58,8 +58,7 @@ def test_where_somebody_is_may_be_said_behind_what_is_seen():
     ]
     assert tasks("say hello to the person in the red shirt at the desk") == [
         {
-            "action": "say",
-            "text": "hello",
+            "action": "greet",
             "person": person("red shirt", relation={"is": "next_to", "to": "desk"}),
         }
     ]

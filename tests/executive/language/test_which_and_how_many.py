@@ -44,10 +44,16 @@ def test_the_last_of_a_row_that_was_named_is_one_of_it():
 
 
 @pytest.mark.parametrize(
-    "said", ["tell me what is the heaviest object on the desk", "pick up the lightest box"]
+    "said", ["pick up the lightest box", "bring me the cup next to the heaviest box", "find the heaviest can"]
 )
-def test_what_things_weigh_is_told_to_be_unknown(said):
+def test_nothing_is_chosen_by_what_it_weighs(said):
     assert "cannot weigh" in parse(said).refusal.message
+
+
+def test_which_is_the_heaviest_may_be_asked():
+    assert tasks("tell me what is the heaviest drink on the desk") == [
+        {"action": "describe", "object": {"kind": "drink", "size": "heaviest"}, "from": "desk"}
+    ]
 
 
 @pytest.mark.parametrize(
