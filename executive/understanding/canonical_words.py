@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from executive.config import cache_directory
-from executive.language.commands.limits import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
+from executive.language.commands.moving import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
@@ -113,7 +113,9 @@ def _told(slot: str, word: str) -> str:
         return rank if counted["side"] == "left" else f"{rank}_from_right"
     meaning = _of_slot(slot, plain)
     if meaning is None:
-        near = nearest_word(plain, [one for name in _TOLD_BY[slot] for one in vocabulary().phrases(name)])
+        classes = vocabulary().classes
+        phrases = [one for name in _TOLD_BY[slot] for some in classes[name].words.values() for one in some]
+        near = nearest_word(plain, phrases)
         raise UnknownWordError(f"the {slot} {word[:40]!r} is not known; the nearest is {near!r}", word[:40])
     return _SIDES.get(meaning, meaning)
 

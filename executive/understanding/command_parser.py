@@ -16,23 +16,19 @@ from executive.language.chart.outcomes import Outcome, explains_best, outcomes_o
 from executive.language.commands.selection import MEANINGS as SELECTIONS
 from executive.language.commands.selection import Selection, description_of
 from executive.language.explain.missing import what_is_missing
-from executive.language.explain.refusals import EXAMPLES, Explainer, printable
+from executive.language.explain.refusals import Explainer, examples, printable
 from executive.language.phrases.values import Nominal, Trouble
 from executive.language.text.lattice import Lattice
-from executive.language.text.piece import Piece
-from executive.language.text.tokens import (
-    MalformedTextError,
-    normalise,
-    pieces_of,
-)
-from executive.language.text.unlisted_names import looks_like_a_name
-from executive.meaning import Parsed, Question, Refusal, wording
+from executive.language.text.names import looks_like_a_name
+from executive.language.text.tokens import MalformedTextError, normalise, pieces_of
+from executive.language.text.word import Piece
+from executive.meaning import Command, Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
 from executive.vocabulary.place_words import place_words
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 
-__all__ = ["EXAMPLES", "CommandParser", "parse", "parse_selection", "parser_with", "printable"]
+__all__ = ["CommandParser", "examples", "parse", "parse_selection", "parser_with", "printable"]
 
 _MEANINGS = MappingProxyType({**SENTENCES, **SELECTIONS})
 
@@ -104,13 +100,13 @@ class CommandParser:
         try:
             lattice = self._lattice(text)
         except MalformedTextError as malformed:
-            return Parsed(text, refusal=Refusal(malformed.message, malformed.word, EXAMPLES[0]))
+            return Parsed(text, refusal=Refusal(malformed.message, malformed.word, examples()[0]))
         chart = self._chart(lattice)
         try:
             outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
         except TooTangledError:
             message = "the sentence can be read in too many ways"
-            return Parsed(text, refusal=Refusal(message, None, EXAMPLES[0]))
+            return Parsed(text, refusal=Refusal(message, None, examples()[0]))
         if not outcomes:
             missing = what_is_missing(lattice, chart)
             if missing is not None and not self._explainer.forbids(lattice, chart):
@@ -125,8 +121,6 @@ class CommandParser:
         except (MalformedTextError, TooTangledError):
             return None
         selections = {description_of(one) for one in found if isinstance(one, Selection)} - {None}
-        if not selections:
-            return None
         return selections.pop() if len(selections) == 1 else None
 
     def _lattice(self, text: str) -> Lattice:
@@ -166,24 +160,20 @@ class CommandParser:
             unsaid = tuple(word for word in manners if not any(word in words.lower() for words in spoken))
             return Parsed(text, commands=understood[0], manners=unsaid)
         if understood:
-            choices = tuple(
-                ", then ".join(wording(command) for command in commands) for commands in understood
-            )
-            if len(set(choices)) < len(choices):  # the same words, and different things to do
-                choices = tuple(
-                    ", then ".join(
-                        f"{command.action.replace('_', ' ')} ({wording(command)})" for command in one
-                    )
-                    for one in understood
-                )
-            choices = tuple(dict.fromkeys(choices))
-            choices = choices if len(choices) > 1 else ()  # words alone cannot tell them apart
-            return Parsed(
-                text, question=Question("this can be read in several ways; which is meant?", choices)
-            )
+            told = [", then ".join(map(wording, commands)) for commands in understood]
+            if len(set(told)) < len(told):  # the same words, and different things to do
+                told = [", then ".join(map(_with_action, commands)) for commands in understood]
+            choices = tuple(dict.fromkeys(told))
+            several = "this can be read in several ways; which is meant?"
+            return Parsed(text, question=Question(several, choices if len(choices) > 1 else ()))
         troubles = [one for one in outcomes if isinstance(one, Trouble)]
         trouble = min(troubles, key=explains_best)
         if trouble.asks:
             return Parsed(text, question=Question(trouble.message, trouble.choices))
         word = None if trouble.word is None else printable(trouble.word)
         return Parsed(text, refusal=Refusal(trouble.message, word, self._explainer.nearest_example(text)))
+
+
+def _with_action(command: Command) -> str:
+    """A command in words that tell it from another with the same."""
+    return f"{command.action.replace('_', ' ')} ({wording(command)})"

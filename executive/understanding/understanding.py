@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from executive.language.resolve.hazards import harm_in
+from executive.language.resolve.guards import harm_in
 from executive.meaning import Command, Parsed, Question, Refusal
 from executive.references import references, with_references
 from executive.trust import USUAL_TRUST, Trust

@@ -1,8 +1,4 @@
-"""The words of a place: what its things are called, known while somebody is spoken to there.
-
-A sentence is understood by the words that travel with the package, those of the user, and these: a place may
-have things that no list names ("zorblax"), or that bear a name of several words ("macaroni and cheese").
-"""
+"""The words of a place: what its things are called, known while somebody is spoken to there."""
 
 from __future__ import annotations
 

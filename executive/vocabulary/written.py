@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from executive.vocabulary.inflection import forms
+
 _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
 _WORD = re.compile(
     r"&&|\|\||\d+(?:st|nd|rd|th)\b|(?<!\d,)\d+,\d{1,2}(?![\d,])|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
 )
 MOST_VARIANTS = 100_000
 """Phrases that one phrase with choices may stand for."""
-BRIDGE_WORDS = ("move_forward", "move_backward", "turn_left", "turn_right")
-"""Bridge words, which are matched whole; elsewhere an underscore is a space."""
 
 
 def split_words(text: str) -> Iterator[tuple[str, int, int]]:
@@ -20,7 +20,7 @@ def split_words(text: str) -> Iterator[tuple[str, int, int]]:
     for match in _WORD.finditer(text):
         whole, start = match.group(), match.start()
         lowered = whole.lower()
-        if "_" in whole and lowered not in BRIDGE_WORDS:
+        if "_" in whole and lowered not in forms("bridge"):
             for part in re.finditer(r"[^_]+", whole):
                 yield part.group().lower(), start + part.start(), start + part.end()
         elif whole in "-\u2013" and _inside_a_word(text, start):

@@ -150,12 +150,6 @@ def test_number_side_speaker_and_place_are_never_passed_over(sentence):
     assert parse(sentence).commands == ()
 
 
-def test_who_is_to_have_a_thing_gets_it():
-    (given,) = parse("let Ben have the cup").to_json()["tasks"]
-
-    assert (given["action"], given["to"]) == ("hand_over", "Ben")
-
-
 def test_a_place_beside_a_person_is_no_hand_over():
     tasks = parse("take the cup and bring it to behind Ana").to_json()["tasks"]
 
@@ -180,7 +174,7 @@ def test_manners_that_change_nothing_are_noted_to_be_told(sentence, manners):
 
 
 @pytest.mark.parametrize(
-    "sentence", ["wave to the man in the blue jacket", "find the person in the red shirt", "go to bed"]
+    "sentence", ["wave to the man in the jacket", "find the person in the hat", "go to bed"]
 )
 def test_what_is_no_place_is_none(sentence):
     assert parse(sentence).commands == ()
@@ -196,7 +190,6 @@ def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
     ("sentence", "told"),
     [
         ("put the cup on", "after 'on' something is missing"),
-        ("find the person pointing to the left in the kitchen", "does not fit after 'left'"),
         ("go to Olivia and bring her to me", "a person is nothing"),
     ],
 )

@@ -10,7 +10,7 @@ from executive.errors import VocabularyError
 from executive.language.chart.grammar import grammar_text, terminals_of
 from executive.understanding.command_parser import parser_with
 from executive.vocabulary import load_vocabulary
-from executive.vocabulary.inflection import gerund, participle, plain_forms, plural
+from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.written import expand
 
 
@@ -74,16 +74,7 @@ def test_plurals_are_formed(singular, several):
 )
 def test_verb_forms_are_formed(base, ing, ed):
     assert gerund(base) == ing
-    assert participle(base, {"take": "taken"}) == ed
-
-
-@pytest.mark.parametrize("verb", ["pick", "place", "stop", "carry"])
-def test_a_verb_is_found_by_its_form_with_ed(verb):
-    assert verb in plain_forms(participle(verb, {}))
-
-
-def test_a_word_without_ed_is_no_such_form():
-    assert list(plain_forms("cup")) == []
+    assert participle(base) == ed
 
 
 def test_a_user_adds_words_of_his_own(tmp_path):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import robots
-from executive.vocabulary.outside import outside_words
+from executive.vocabulary.word_lists import outside_words
 from robots import outside
 from robots.errors import SceneError, UnknownRobotError
 from robots.models.description import load_description

@@ -86,7 +86,7 @@ def _words(scene: str) -> Iterator[str]:
     from executive.config import config_files
     from executive.errands.beyond_the_eyes import THINGS, is_told
     from executive.vocabulary import load_vocabulary
-    from executive.vocabulary.outside import outside_words
+    from executive.vocabulary.word_lists import outside_words
     from robots.perception.stub import labels_in
     from robots.scenes.scene_file import load_scene
 

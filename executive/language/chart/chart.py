@@ -13,7 +13,6 @@ from typing import Any
 
 from executive.language.chart.grammar import Node, Rule
 from executive.language.phrases.values import Clause, Items, Meaning, Trouble
-from executive.language.text.free_text import free_text
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 
@@ -99,17 +98,14 @@ class Chart:
             before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
         )
 
+    @property
+    def verbs(self) -> AbstractSet[str]:
+        """Word classes that begin a command."""
+        return self._rules["command"].first
+
     def begins_command(self, words: Iterable[Word]) -> bool:
         """Whether one of some words can begin a command."""
-        first = self._rules["command"].first
-        return any(word.word_class in first for word in words)
-
-    def has_beginning_of(self, rule: str) -> bool:
-        """Whether some word of the sentence can begin what a rule describes."""
-        first = self._rules[rule].first
-        return any(
-            not first.isdisjoint(self._lattice.classes(start)) for start in range(len(self._lattice.pieces))
-        )
+        return any(word.word_class in self.verbs for word in words)
 
     def _spans(self, name: str, start: int) -> Spans:
         known = self._known.get((name, start))
@@ -159,7 +155,7 @@ class Chart:
 
     def _words(self, word_class: str, position: int, classes: Mapping[str, list[Word]]) -> list[Word]:
         if word_class == "TEXT":
-            return free_text(self._lattice, position, self._rules["command"].first | _REFUSED_COMMANDS)
+            return self._lattice.free_text(position, self._rules["command"].first | _REFUSED_COMMANDS)
         return classes.get(word_class, [])
 
     def _value(self, function: str, parts: tuple[Any, ...]) -> Any:

@@ -2,39 +2,25 @@
 
 from __future__ import annotations
 
-import contextlib
-import hashlib
 import importlib.metadata
 import importlib.resources
-import json
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from kinematics.whole_file import read_whole, write_whole
-
-BEYOND_VOCABULARY = frozenset({"NUM", "QUOTED", "TEXT", "PAUSE"})
-"""Terminals that are recognised by their form, not listed."""
-
+from robots.kept import kept
 
 CLOSING = "rest"
 """The rule for all clauses after the first, to the end of the sentence."""
 
-
-Production = tuple[str, tuple[str, ...], str]
+Production = tuple[str, Sequence[str], str]
 """A rule's name, its parts, and the name of its meaning."""
 
 
 @dataclass(slots=True)
 class Node:
-    """A place within the productions of one rule.
-
-    Attributes:
-        terminals: What follows after a word of a class.
-        rules: What follows after a part that another rule describes.
-        functions: Names of the meanings of the productions that end here.
-    """
+    """A place within a rule: where a word of a class or a part leads, and which meanings end here."""
 
     terminals: dict[str, Node] = field(default_factory=dict)
     rules: dict[str, Node] = field(default_factory=dict)
@@ -43,14 +29,10 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """One rule of the grammar.
+    """One rule of the grammar, with the word classes that it can begin with and where its productions begin.
 
-    Attributes:
-        name: Its name.
-        first: Word classes that it can begin with.
-        root: Where its productions begin.
-        repeats: Whether it is a repetition, whose parts belong to the rule around it.
-        closes: Whether nothing follows it: what does not reach the end of the sentence is of no use.
+    The parts of one that ``repeats`` belong to the rule around it. Nothing follows one that ``closes``: what
+    does not reach the end of the sentence is of no use.
     """
 
     name: str
@@ -70,28 +52,8 @@ def load_rules(cache: Path | None = None) -> dict[str, Rule]:
     text = grammar_text()
     if cache is None:
         return rules_of(_compiled(text))
-    made_by = f"{importlib.metadata.version('lark')} {Path(__file__).read_text('utf-8')}"
-    digest = hashlib.sha256(f"{made_by}\0{text}".encode()).hexdigest()
-    kept = cache / f"grammar-{digest[:16]}.kept"
-    productions = _kept(kept)
-    if productions is None:
-        productions = list(_compiled(text))
-        _keep(kept, productions)
-    return rules_of(productions)
-
-
-def _kept(file: Path) -> list[Production] | None:
-    content = read_whole(file)
-    if content is None:
-        return None
-    return [(name, tuple(parts), function) for name, parts, function in json.loads(content)]
-
-
-def _keep(file: Path, productions: list[Production]) -> None:
-    """A folder that cannot be written is no reason to fail."""
-    with contextlib.suppress(OSError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(file, json.dumps(productions).encode())
+    made_by = [importlib.metadata.version("lark").encode(), Path(__file__).read_bytes(), text.encode()]
+    return rules_of(kept(cache, "grammar", made_by, lambda: list(_compiled(text))))
 
 
 def grammar_text() -> str:
@@ -126,7 +88,7 @@ def rules_of(productions: Iterable[Production]) -> dict[str, Rule]:
     begins: dict[str, set[str]] = {}
     for name, parts, function in productions:
         if parts[0] == name:
-            parts = (*parts[1:], name)
+            parts = [*parts[1:], name]
         begins.setdefault(name, set()).add(parts[0])
         node = roots.setdefault(name, Node())
         for part in parts:
@@ -153,8 +115,3 @@ def _first(name: str, begins: dict[str, set[str]]) -> frozenset[str]:
             else:
                 pending.append(part)
     return frozenset(terminals)
-
-
-def unknown_terminals(known: Sequence[str]) -> set[str]:
-    """Word classes that the grammar names and nobody lists."""
-    return terminals_of(grammar_text()) - set(known) - BEYOND_VOCABULARY

@@ -7,21 +7,19 @@ from types import MappingProxyType
 
 from executive.language.clauses import (
     before_command,
-    given_reasons,
+    scopes,
     sentences,
     statements,
 )
-from executive.language.clauses.fronted import fronted
 from executive.language.commands import (
     attention,
     gestures,
     going,
     handling,
+    moving,
     placing,
     skilled,
     speech,
-    turns,
-    waiting,
 )
 from executive.language.phrases import (
     amounts,
@@ -30,8 +28,6 @@ from executive.language.phrases import (
     nominals,
     pairs,
     places,
-    quantities,
-    sharing,
 )
 from executive.language.phrases.values import Meaning
 
@@ -42,22 +38,18 @@ MEANINGS: Mapping[str, Meaning] = MappingProxyType(
         **before_command.MEANINGS,
         **features.MEANINGS,
         **gestures.MEANINGS,
-        **given_reasons.MEANINGS,
         **going.MEANINGS,
         **handling.MEANINGS,
         **lists.MEANINGS,
+        **moving.MEANINGS,
         **nominals.MEANINGS,
         **pairs.MEANINGS,
         **places.MEANINGS,
         **placing.MEANINGS,
-        **quantities.MEANINGS,
+        **scopes.MEANINGS,
         **sentences.MEANINGS,
-        **sharing.MEANINGS,
         **skilled.MEANINGS,
         **speech.MEANINGS,
         **statements.MEANINGS,
-        **turns.MEANINGS,
-        **waiting.MEANINGS,
-        "fronted": fronted,
     }
 )

@@ -7,11 +7,11 @@ from typing import Any
 
 from executive.language.clauses.scopes import UNCLEAR_ORDER
 from executive.language.clauses.sentences import Sentence
-from executive.language.commands.going import NO_DIRECTION
+from executive.language.commands.moving import NO_DIRECTION
 from executive.language.commands.speech import UNQUOTED
 from executive.language.phrases.values import EXCEEDS, HARMS, Nominal, Trouble
-from executive.language.resolve.hazards import harm_in
-from executive.language.resolve.references import Resolver, UnresolvedError
+from executive.language.resolve.guards import harm_in
+from executive.language.resolve.references import UnresolvedError, commands_of
 from executive.meaning import Command, command_json
 from trees.tasks import ObjectOf, SayTask
 
@@ -27,20 +27,16 @@ def outcomes_of(
     is_command: Callable[[str], bool] = lambda _text: False,
     remembers: bool = False,
 ) -> list[Outcome]:
-    """What each meaning of the whole sentence comes to, without doubles.
-
-    Words to say end as early as they can, clauses are separated where they can be, and "come and" is
-    a courtesy where it can be one; what differs in anything else is ambiguous.
-    """
+    """What each meaning of the whole sentence comes to, without those that are less likely."""
     troubles: dict[Trouble, None] = {}
     asked: list[int] = []
     understood: dict[str, tuple[tuple[int, ...], tuple[Command, ...]]] = {}
-    for meaning in meanings:
+    for meaning in sorted(meanings, key=lambda one: not isinstance(one, Trouble)):
         if isinstance(meaning, Trouble):
             troubles[meaning] = None
         elif isinstance(meaning, Sentence):
             try:
-                commands = Resolver(people_in, remembers).commands(meaning.clauses)
+                commands = commands_of(meaning.clauses, people_in, remembers)
             except UnresolvedError as unresolved:
                 troubles[unresolved.trouble] = None
                 asked += [meaning.unseparated] if unresolved.trouble.asks else []
@@ -96,8 +92,9 @@ def _only_begins_with_more(longer: Sequence[Command], shorter: Sequence[Command]
     return len(longer) > len(shorter) and ends == [one.action for one in shorter] and not handled
 
 
-def explains_best(trouble: Trouble) -> tuple[bool, bool, bool, bool, bool]:
+def explains_best(trouble: Trouble) -> tuple[bool, ...]:
     """How well a trouble explains a sentence, the lowest best; any "go" can lack a direction."""
     no_more = trouble.message == NO_DIRECTION
     harmless = not trouble.message.endswith(HARMS)
-    return harmless, EXCEEDS not in trouble.message, no_more, not trouble.asks, trouble != UNCLEAR_ORDER
+    clear = trouble != UNCLEAR_ORDER
+    return harmless, EXCEEDS not in trouble.message, no_more, not trouble.asks, clear, not trouble.choices

@@ -1,110 +1,82 @@
-"""What may stand before a command: its number in a list, a hand, a place, who is to do it."""
+"""What may stand before a command: its number in a list, a hand, a place, its thing, a question about it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from executive.language.clauses.neighbours import WITH_A_HAND
-from executive.language.clauses.scopes import Separator
-from executive.language.commands.brief_tasks import takes_a_moment
-from executive.language.commands.placing import MEANINGS as PLACING
+from executive.language.clauses.statements import named_thing
+from executive.language.phrases.arranging import guarded, unfit
 from executive.language.phrases.parts import Parts, words
-from executive.language.phrases.values import Clause, Draft, Hand, Item, Meaning, Nominal, Trouble, Where
+from executive.language.phrases.values import Clause, Hand, Item, Meaning, Trouble, Where
+
+_OPENS_A_PHRASE = (",", ":")
+"""Marks between a command and what is said of it before it."""
+
+_NUMBERS_NOTHING = (",", "?")
+"""Marks behind a number that may be how many of something."""
+
+_WITH_A_HAND = frozenset({"pick", "place", "put_in", "hand_over", "open", "close", "wave", "point_at"})
+"""Tasks of which it can be said which hand does them."""
+
+_FOUND_SOMEWHERE = frozenset({"pick", "find", "count", "describe"})
+"""Tasks of which a place before them can only say where their thing is."""
 
 
-class _Nothing:
-    """A part that says nothing of its own."""
-
-    __slots__ = ()
-
-
-NOTHING = _Nothing()
+def _nothing(parts: Parts) -> Any:
+    """A courtesy or a reason, which say nothing of what is to be done."""
+    return parts[0]
 
 
-def _nothing(_parts: Parts) -> Any:
-    return NOTHING
-
-
-@dataclass(frozen=True, slots=True)
-class Numbered:
-    """Which one of a numbered list a command is.
-
-    Attributes:
-        number: Of it.
-        spelled: Whether it is a mere number in words, which alone may be how many: "two: wave".
-    """
-
-    number: int
-    spelled: bool = False
-
-
-_MARKS = ",.:!"
-_ENDS_A_NUMBER = (".", ")", ":", "paren", "slash")
-
-
-def _list_number(parts: Parts) -> Numbered | None:
-    is_mark = parts[-1].word_class == "BULLET" or parts[-1].meaning in _ENDS_A_NUMBER
-    return step_number(parts) if is_mark else None
-
-
-def step_number(parts: Parts) -> Numbered | None:
+def _numbered(parts: Parts) -> int | None:
     """The number of a step, in digits, in words or as a letter."""
-    (said,) = words(parts, "NUM", "AMOUNT", "LETTER")
-    return Numbered(int(said.meaning)) if said.meaning.isdecimal() else None
-
-
-def _spelled_number(parts: Parts) -> Numbered | None:
-    said, mark = parts
-    fits = mark.meaning in (":", ",", ".") and said.said != "single"
-    return Numbered(int(said.meaning), spelled=True) if fits else None
-
-
-def _roman_number(parts: Parts) -> Numbered:
-    return Numbered(int(parts[-1].meaning))
+    number = words(parts, "NUM", "AMOUNT", "LETTER")[0].meaning
+    is_step = bool(words(parts, "STEP"))
+    marked = any(part.meaning not in _NUMBERS_NOTHING for part in words(parts, "PAUSE", "PAREN", "BULLET"))
+    return int(number) if number.isdecimal() and (is_step or marked) else None
 
 
 def _clause(parts: Parts) -> Clause | None:
-    """A command, with what was said before it."""
+    """A command, with its number."""
     command: Clause = parts[-1]
-    if any(mark.meaning not in (",", ":") for mark in words(parts, "PAUSE")):
-        return None  # "the cup. With your left hand. Wave"
-    if sum(isinstance(part, Numbered) for part in parts) > 1:
+    numbers = [part for part in parts if isinstance(part, int)]
+    if len(numbers) > 1:
         return None  # "turn left 90. 2. Wave"
-    for part in parts[:-1]:
-        if isinstance(part, Where) and part.of.reference == "there" and _goes(command):
-            command = replace(command, terse=True)  # else it belongs to what was said before
-            continue
-        slot = (
-            ("hand", part.side)
-            if isinstance(part, Hand)
-            else ("source", part.of)
-            if isinstance(part, Where)
-            else None
-        )
-        if isinstance(part, Numbered):
-            command = replace(command, number=part.number, spelled=part.spelled)
-        if isinstance(part, Where) and part.role == "is":
-            if not _is_taken_or_seen(command):
-                return None  # "in the kitchen, put the cup on the table"
-            command = replace(command, placed=True)
-        if slot is not None:  # "take the cup with the right, wave", "... from the table, wave": of which?
-            command = replace(command, terse=True)
-        if isinstance(part, Hand):
-            command = replace(command, hand_first=True)
-        if slot is not None:
-            changed = _with_slot(command, *slot)
-            if changed is None:
-                return None
-            command = changed
-    return command
+    return replace(command, number=numbers[0]) if numbers else command
 
 
-def _briefly(parts: Parts) -> Clause | None:
-    *said, moment = parts
-    return _clause(tuple(said)) if takes_a_moment(said[-1], moment.said) else None
+def _led(parts: Parts) -> Clause | None:
+    """A command behind the hand that does it, or behind where its thing is."""
+    led: Hand | Where = parts[0]
+    command: Clause = parts[-1]
+    if any(mark.meaning not in _OPENS_A_PHRASE for mark in words(parts, "PAUSE")):
+        return None  # "the cup. With your left hand. Wave"
+    by_hand = isinstance(led, Hand)
+    slot, takes = ("hand", _WITH_A_HAND) if by_hand else ("source", _FOUND_SOMEWHERE)
+    value = led.side if isinstance(led, Hand) else led.of
+    if any(one.action not in takes or one.get(slot) is not None for one, *_ in command.bundles):
+        return None
+    bundles = tuple((one.with_slot(slot, value), *rest) for one, *rest in command.bundles)
+    topic = isinstance(led, Where) and led.role == "is"
+    return replace(command, bundles=bundles, terse=True, topic=topic, hand_first=by_hand)
+
+
+def _led_by_hand(parts: Parts) -> Clause | None:
+    """A command behind an order to use a hand: "use your right hand to wave"."""
+    return _led((Hand(words(parts, "LEFT_RIGHT")[0].meaning), parts[-1]))
+
+
+def _fronted(parts: Parts) -> Clause:
+    """A command behind its thing, which it calls "it": "the red cup, pick it up"."""
+    item: Item = parts[0]
+    command: Clause = parts[-1]
+    listed = [mark.meaning for mark in words(parts, "PAUSE")]
+    if any(mark not in _OPENS_A_PHRASE for mark in listed) or len(command.bundles) != 1:
+        raise unfit()
+    mention = named_thing(item, sorts=frozenset({"thing", "container", "door"}))
+    return replace(command, mention=mention, terse=True, topic="," in listed)
 
 
 def _minding(parts: Parts) -> Clause | None:
@@ -113,91 +85,21 @@ def _minding(parts: Parts) -> Clause | None:
     return replace(command, form="base") if command.form == "ing" else None
 
 
-def _warned(_parts: Parts) -> Trouble:
-    """A warning before a statement: "careful, the cup is hot. Pick it up"."""
-    return Trouble("that is a warning: shall it be done all the same?", asks=True, rivals=True)
-
-
 def _maybe_ordered(parts: Parts) -> Trouble:
     """A command that is asked about, permitted, planned or hoped for: "are you able to open the fridge?"."""
     said = words(parts, "MAYBE_ORDER")[0].said
     return Trouble("is that asked or told, or shall it be done?", said, asks=True)
 
 
-def _is_taken_or_seen(command: Clause) -> bool:
-    """Whether a place before it can only be where its thing is."""
-    return all(bundle[0].action in ("pick", "find", "count", "describe") for bundle in command.bundles)
-
-
-def _goes(command: Clause) -> bool:
-    """Whether it goes somewhere, where "from there" says nothing."""
-    return all(one.action in ("walk_to", "move", "go_home") for bundle in command.bundles for one in bundle)
-
-
-def _clause_with_hand(parts: Parts) -> Clause | Trouble | None:
-    """A command with a hand before it; a mere "right," may be no more than how one begins to speak."""
-    side = words(parts, "LEFT_RIGHT")[0]
-    if not words(parts, "HAND", "USE") and side.said in ("left", "right"):
-        return Trouble(f"is {side.said!r} the hand to use?", side.said, asks=True)
-    joined = [part for part in parts if isinstance(part, Separator)]
-    orders = any(word.said == "use" for word in words(parts, "USE"))
-    if not orders and any(one.value >= Separator.THEN.value for one in joined):
-        return None  # "take the cup with the right. Wave"
-    return _clause((Hand(side.meaning), *words(parts, "PAUSE"), parts[-1]))
-
-
-def _hand_moves(parts: Parts) -> Clause | Trouble | None:
-    """Terse: "right hand: bowl onto tray"."""
-    side = words(parts, "LEFT_RIGHT")[0]
-    of, where = next(part for part in parts if isinstance(part, Nominal)), parts[-1]
-    if words(parts, "PAUSE")[-1].meaning != ":" or of.reference or not isinstance(where, Where):
-        return None
-    put = PLACING["put"]((Item(of, (where, Hand(side.meaning))),))
-    return replace(put, terse=True) if isinstance(put, Clause) else put
-
-
-STEPS = ("first", "second", "third", "fourth", "fifth", "sixth")
-
-
-def _ordinal_step(parts: Parts) -> Numbered | None:
-    said = parts[0].meaning
-    return Numbered(STEPS.index(said) + 1) if said in STEPS else None
-
-
-_TAKES = {
-    "hand": WITH_A_HAND,
-    "source": frozenset({"pick", "place", "put_in", "hand_over", "find", "count", "describe"}),
-}
-
-
-def _with_slot(command: Clause, name: str, value: Any) -> Clause | None:
-    bundles = []
-    for bundle in command.bundles:
-        first, *rest = bundle
-        if first.action not in _TAKES[name] or first.get(name) not in (None, value):
-            return None
-        bundles.append((_filled(first, name, value), *rest))
-    return replace(command, bundles=tuple(bundles))
-
-
-def _filled(first: Draft, name: str, value: Any) -> Draft:
-    return first if first.get(name) is not None else first.with_slot(name, value)
-
-
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
         "nothing": _nothing,
-        "list_number": _list_number,
-        "step_number": step_number,
-        "spelled_number": _spelled_number,
-        "roman_number": _roman_number,
-        "ordinal_step": _ordinal_step,
+        "numbered": _numbered,
         "clause": _clause,
-        "briefly": _briefly,
+        "led": _led,
+        "fronted": guarded(_fronted),
+        "led_by_hand": _led_by_hand,
         "minding": _minding,
-        "warned": _warned,
         "maybe_ordered": _maybe_ordered,
-        "clause_with_hand": _clause_with_hand,
-        "hand_moves": _hand_moves,
     }
 )

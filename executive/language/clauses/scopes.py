@@ -6,16 +6,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from enum import Enum
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from types import MappingProxyType
+from typing import Any
 
-from executive.language.phrases.values import Clause, Trouble
-from executive.language.text.word import Word
+from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.values import Clause, Meaning, Nominal, Trouble
 
 
-class Separator(Enum):
+class Separator(IntEnum):
     """What stands between two clauses; the order of the members is how strongly it separates."""
 
     NOTHING = 0
@@ -28,122 +29,125 @@ class Separator(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Clauses that a conjunction puts in order.
+    """Two clauses in the order in which they are done.
 
-    Attributes:
-        first: What is done first.
-        second: What is done after it.
-        scope: Which clause the conjunction stands before as they are said ("first" or "last"), and which of
-            them it is that follows in time: ``after_first`` is "after A, B", ``by_then`` "B once A is done".
-        doing: Whether the clause after the conjunction is an -ing form, which no other clause can join.
-        breaks: Whether a full stop stands before the conjunction: "B. But first, A".
+    ``order`` is the conjunction, "before" or "after", which ``leads`` where it is said before both clauses.
     """
 
-    first: tuple[Clause, ...]
-    second: tuple[Clause, ...]
-    scope: Literal["after_first", "after_last", "before_first", "before_last", "but_first", "by_then"]
-    doing: bool = False
-    breaks: bool = False
+    first: Clause
+    second: Clause
+    order: str
+    leads: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Further:
-    """A clause or group after the first, and what stands before it.
-
-    ``after_first`` is whether "first" was said right before that: "open the drawer first, then ...";
-    ``asked`` is whether a question mark stands there, which ends a sentence as a full stop does.
-    """
+    """A clause or group, and what stands before it."""
 
     separator: Separator
     part: Clause | Group
-    after_first: bool = False
-    asked: bool = False
 
 
 UNCLEAR_ORDER = Trouble("in which order shall that be done? say it with 'first' and 'then'", asks=True)
-_JOINS = frozenset({"and", "&", "n", "and to"})
-_SENTENCE_ENDS = frozenset({".", ";", "!", "paren", ")"})
+
+_MARKS: Mapping[str, Separator] = {"?": Separator.ASKED, **dict.fromkeys(".;!", Separator.STOP)}
+_AND, _AFTER = "and", "after"
+"""Meanings of joining words and of conjunctions."""
 
 
-def separator_of(words: Sequence[Word]) -> Separator:
+def _separator(parts: Parts) -> Separator:
     """What some marks and joining words are together."""
-    found = Separator.NOTHING
-    for word in words:
-        if word.meaning == "?":
-            one = Separator.ASKED
-        elif word.word_class == "BULLET" or word.meaning in _SENTENCE_ENDS:
-            one = Separator.STOP
-        elif word.word_class == "PAUSE":
-            one = Separator.COMMA
-        else:
-            one = Separator.AND if word.said in _JOINS else Separator.THEN
-        found = one if one.value > found.value else found
-    return found
+    return max(_separates(word) for word in parts)
+
+
+def _separates(word: Any) -> Separator:
+    if word.word_class == "PAUSE":
+        return _MARKS.get(word.meaning, Separator.COMMA)
+    if word.word_class == "BULLET":
+        return Separator.STOP
+    return Separator.AND if word.meaning == _AND else Separator.THEN
+
+
+def _ordered(parts: Parts) -> Group | None:
+    """A command, and what is done before it or after it: "after you have opened it", "after opening it"."""
+    (conjunction,) = words(parts, "AFTER", "AFTER_DOING", "BEFORE")
+    leads = parts[0] is conjunction
+    clauses = [part for part in parts if isinstance(part, Clause)]
+    main, other = reversed(clauses) if leads else clauses
+    separator = next((part for part in parts if isinstance(part, Separator)), Separator.NOTHING)
+    form = "ed" if words(parts, "HAVE") else "base" if words(parts, "YOU_DO") else "ing"
+    if main.form != "base" or other.form != form:
+        return None
+    if leads and separator is Separator.NOTHING and main.terse:
+        return None  # "before taking the apple home, wave" does not begin to wave at home
+    if not leads and separator >= Separator.THEN:
+        return None  # "A. Before B, C": a full stop ends what the conjunction belongs to
+    other = replace(other, form="base")
+    if conjunction.meaning == _AFTER:
+        return Group(other if leads else _said_after(other, main), main, _AFTER, leads)
+    if leads or _takes_out(main):
+        main = _said_after(main, other)
+    return Group(main, replace(other, said_first=leads), conjunction.meaning, leads)
+
+
+def _takes_out(command: Clause) -> bool:
+    """Whether it takes something out of what may be named behind it: "take it out before closing the box"."""
+    return any(one.get("out") and one.get("source") is None for bundle in command.bundles for one in bundle)
+
+
+def _said_after(done_first: Clause, said_first: Clause) -> Clause:
+    """A clause with what "it" may stand for that is named before it, in what is done after it."""
+    drafts = [one for bundle in said_first.bundles for one in bundle]
+    opens = any(bundle[0].action == "open" for bundle in done_first.bundles)
+    named = [
+        value
+        for one in drafts
+        for _, value in one.slots
+        if isinstance(value, Nominal)
+        and (one.action == "close" or opens or value.sort in ("thing", "any", "name", "person"))
+    ]
+    fitting = [one for one in named if one.is_single and not one.reference]
+    if any(one.action == "say" for one in drafts):
+        fitting = [one for one in fitting if not one.is_person]  # "him" may be somebody in words to say
+    return replace(done_first, said_before=tuple(dict.fromkeys(fitting)))
 
 
 def in_order(parts: Sequence[Further]) -> tuple[Clause, ...] | Trouble:
-    """All clauses as they are to be done.
-
-    Args:
-        parts: The sentence; what stands before its first part is left out.
-    """
+    """All clauses of a sentence as they are to be done, or the question for their order."""
     done: list[Clause] = []
-    waiting: tuple[Clause, ...] | None = None
+    waiting: list[Clause] = []
     for index, one in enumerate(parts):
-        if one.after_first and (index != 1 or isinstance(parts[0].part, Group)):
-            return UNCLEAR_ORDER  # "go home, open the drawer first, then ..."
-        separator = one.separator if index else Separator.STOP
-        if waiting is not None and separator is not Separator.AND and not _is_listed(parts[index:]):
-            if separator is not Separator.STOP:
+        before = one.separator if index else Separator.STOP
+        follows = parts[index + 1].separator if index + 1 < len(parts) else Separator.STOP
+        if waiting and before is not Separator.AND:
+            if before < Separator.STOP:
                 return UNCLEAR_ORDER  # "before A, B, then C": is C before A as well?
             done += waiting
-            waiting = None
+            waiting = []
         if isinstance(one.part, Clause):
             done.append(one.part)
             continue
-        follows = parts[index + 1].separator if index + 1 < len(parts) else Separator.STOP
-        if waiting is not None or not _is_clear(
-            one.part, separator if done else Separator.STOP, follows, bool(done)
-        ):
-            return UNCLEAR_ORDER
-        if one.part.scope.startswith("after") and _is_repeated(one.part.first, done):
+        group = one.part
+        again = group.order == _AFTER and not _actions([group.first]).isdisjoint(_actions(done))
+        if waiting or again or not _is_clear(group, before, follows):
             return UNCLEAR_ORDER  # "find the cup. After finding it, ...": is it found once, or twice?
-        done += one.part.first
-        if one.part.scope == "before_first":
-            waiting = one.part.second
-        else:
-            done += one.part.second
-    return (*done, *(waiting or ()))
+        done.append(group.first)
+        (waiting if group.leads and group.order != _AFTER else done).append(group.second)
+    return (*done, *waiting)
 
 
-def _is_repeated(first: Sequence[Clause], done: Sequence[Clause]) -> bool:
-    """Whether what is done first may be what was ordered already."""
-    before, again = (
-        {one.action for clause in clauses for bundle in clause.bundles for one in bundle}
-        for clauses in (done, first)
-    )
-    return not before.isdisjoint(again)
+def _actions(clauses: Sequence[Clause]) -> set[str]:
+    return {one.action for clause in clauses for bundle in clause.bundles for one in bundle}
 
 
-def _is_listed(parts: Sequence[Further]) -> bool:
-    """Whether commas go on to an "and", as in "before A, B, C and D"."""
-    if not parts or parts[0].separator is not Separator.COMMA:
-        return False
-    rest = next((one for one in parts if one.separator is not Separator.COMMA), None)
-    return rest is not None and rest.separator is Separator.AND
-
-
-def _is_clear(group: Group, separator: Separator, follows: Separator, goes_before: bool) -> bool:
+def _is_clear(group: Group, before: Separator, follows: Separator) -> bool:
     """Whether the order is the same however far the conjunction reaches."""
-    if group.scope == "by_then":
-        return follows not in (Separator.NOTHING, Separator.AND, Separator.COMMA)
-    if group.scope in ("after_last", "before_last", "but_first") and follows is Separator.NOTHING:
+    if group.leads:
+        return True
+    if follows is Separator.NOTHING:
         return False  # "A after B C": is it "after B, C"?
-    if group.scope == "but_first":
-        return (
-            separator is Separator.STOP and not (goes_before and group.breaks) and follows is Separator.STOP
-        )
-    if group.scope == "after_last":
-        joins = not group.doing and follows in (Separator.AND, Separator.COMMA)
-        return separator in (Separator.THEN, Separator.STOP) and not joins
-    return True
+    joins = follows in (Separator.AND, Separator.COMMA)
+    return group.order != _AFTER or (before >= Separator.THEN and not joins)
+
+
+MEANINGS: Mapping[str, Meaning] = MappingProxyType({"separator": _separator, "ordered": _ordered})

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
+from executive.language.commands import meanings
 from executive.language.commands.going import target
-from executive.language.phrases.arranging import guarded
 from executive.language.phrases.features import described
-from executive.language.phrases.values import Item, Meaning, Nominal, Trouble, Where
-from executive.language.resolve.references import Resolver, UnresolvedError
+from executive.language.phrases.values import Item, Nominal, Trouble, Where
+from executive.language.resolve import references
 from trees.tasks import ObjectDescription
 
 
@@ -23,30 +21,24 @@ class Selection:
 
 
 def _selection(parts: tuple[Any, ...]) -> Selection | Trouble | None:
-    items = [part for part in parts if isinstance(part, Item)]
-    if items:
-        nominal = target(items[0])
-    else:
+    item = next((part for part in parts if isinstance(part, Item)), None)
+    if item is None:
         one = described(Nominal("any"), parts)
         if not isinstance(one, Nominal):
             return one
-        nominal = target(Item(one, tuple(part for part in parts if isinstance(part, Where))))
-    if (
-        nominal.reference
-        or nominal.is_person
-        or (nominal.sort == "any" and nominal.is_plain and nominal.kind is None)
-    ):
-        return None
-    return Selection(nominal)
+        item = Item(one, tuple(part for part in parts if isinstance(part, Where)))
+    nominal = target(item)
+    told = nominal.kind is not None or not nominal.is_plain
+    return Selection(nominal) if told and not (nominal.reference or nominal.is_person) else None
 
 
 def description_of(selection: Selection) -> ObjectDescription | None:
     """The description that is compared with what is seen."""
     try:
-        described = Resolver().description(selection.of)
-    except UnresolvedError:
+        described = references.description_of(selection.of)
+    except references.UnresolvedError:
         return None
     return described if isinstance(described, ObjectDescription) else None
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType({"selection": guarded(_selection)})
+MEANINGS = meanings({"selection": _selection})

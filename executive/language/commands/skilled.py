@@ -1,51 +1,117 @@
 """Skills of which the grammar knows only the words, said alone or of whom or what they are aimed at.
 
-"Take a bow", "bow to Ana", "guide Ana to the kitchen": whom or what it is said of fills the slot of the task
-that is for it: ``person``, ``to`` for a place, or ``object``.
+"Take a bow", "bow to Ana", "follow Ana from the sofa to the kitchen", "introduce yourself to Ben": whom or
+what it is said of fills the slot of the task that is for it (``person``, ``to`` for a place, or ``object``),
+where that is fills ``source``. A meaning is the action of a skill, and behind it what is true of its task:
+"greet introducing".
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
-from types import MappingProxyType
+from dataclasses import fields, replace
+from typing import Any
 
-from executive.language.commands.going import target
-from executive.language.phrases.arranging import clause, guarded, trouble
+from executive.language.commands import meanings
+from executive.language.commands.gestures import somebody
+from executive.language.commands.going import one_of_them, target
+from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, words
-from executive.language.phrases.values import Clause, Draft, Item, Meaning, Nominal, draft
-from executive.language.resolve.task_types import task_type
+from executive.language.phrases.values import (
+    Bundle,
+    Clause,
+    Item,
+    Items,
+    Nominal,
+    Relative,
+    Where,
+    draft,
+)
+from executive.language.resolve.kinds import task_type
 from executive.language.text.word import Word
 
 
 def _skilled(parts: Parts) -> Clause:
-    (verb,) = words(parts, "SKILL", "SKILL_AT")
-    action = verb.meaning.partition(":")[0]
-    slots: dict[str, Nominal] = {}
-    for part in parts:
-        if isinstance(part, Item):
-            nominal = target(part)
-            slots["person" if nominal.is_person else "to" if nominal.is_place else "object"] = nominal
-        elif isinstance(part, Nominal):
-            slots["to"] = part
-    return clause(parts, [(_checked(verb, action, slots),)])
-
-
-def _checked(verb: Word, action: str, slots: Mapping[str, Nominal]) -> Draft:
-    """A draft of slots that tasks of this skill have.
-
-    Raises:
-        TroubleError: There is no such skill here, or it is done to nothing of this sort.
-    """
+    (verb,) = words(parts, "SKILL", "SKILL_AT", "SKILL_TO")
+    action, *told = verb.meaning.partition(":")[0].split()
     kind = task_type(action)
     if kind is None:
         raise trouble(f"{verb.said!r}: {action!r} is no skill of this robot", verb.said)
     known = {field.name for field in fields(kind)}
-    for slot, nominal in slots.items():
-        if slot not in known:
-            what = nominal.said or nominal.kind or "that"
-            raise trouble(f"{verb.said!r} is not done to {what!r}", nominal.kind)
-    return draft(action, **slots)
+    items = [item for part in parts if isinstance(part, Items) for item in part.each]
+    to = next((part for part in parts if isinstance(part, (Nominal, Relative))), None)
+    if len(items) > 1 and "to" in known:
+        raise trouble("several at once: name one", verb.said)
+    if verb.word_class == "SKILL_TO" and not all(item.of.is_person or item.of.reference for item in items):
+        raise unfit()
+    bundles: list[Bundle] = []
+    for item in items or (None,):
+        slots: dict[str, Any] = dict.fromkeys(told, True)
+        if item is not None:
+            of, slots["source"] = _aimed(item)
+            if verb.word_class == "SKILL_TO" and to is None:
+                raise trouble("where to?", asks=True)
+            person = of.is_person or (of.reference == "them" and "person" in known)
+            slots["person" if person else "to" if of.is_place and "person" not in known else "object"] = of
+        slots |= {} if to is None else {"to": to}
+        _check(verb, known, slots)
+        bundles.append((draft(action, **slots),))
+    return clause(parts, bundles)
 
 
-MEANINGS: Mapping[str, Meaning] = MappingProxyType({"skilled": guarded(_skilled)})
+def _aimed(item: Item) -> tuple[Nominal, Nominal | None]:
+    """Whom or what an item names, and from where."""
+    sources = [one_of_them(one.of) for one in item.details if isinstance(one, Where) and one.role == "from"]
+    rest = tuple(one for one in item.details if not (isinstance(one, Where) and one.role == "from"))
+    if len(sources) > 1 or any(one.is_person or one.reference for one in sources):
+        raise unfit()
+    return target(replace(item, details=rest)), next(iter(sources), None)
+
+
+def _check(verb: Word, known: set[str], slots: Mapping[str, Any]) -> None:
+    """Whether a task has all slots that are said of it.
+
+    Raises:
+        TroubleError: It has not; a verb that is said of things as well then means something else.
+    """
+    for slot, value in slots.items():
+        if slot in known or value is None:
+            continue
+        if verb.word_class == "SKILL_TO":
+            raise unfit()
+        if slot == "object" and value.reference == "it":
+            raise trouble("who is meant?", asks=True)
+        what = value.said or value.kind or "that"
+        raise trouble(f"{verb.said!r} is not done to {what!r}", value.kind)
+
+
+def _answer(parts: Parts) -> Clause:
+    """What the robot is asked about the time or itself; ``question`` is which question it is."""
+    question = words(parts, "ASKED", "TOLD_OF")[0].meaning
+    return clause(parts, [(draft("answer", question=question, person=_listener(parts)),)])
+
+
+def _tell(parts: Parts) -> Clause:
+    """The name, pose, gesture or clothes of somebody, to whoever speaks or to somebody else."""
+    about = words(parts, "OF_SOMEBODY")[0].meaning
+    of = somebody(target(next(part for part in parts if isinstance(part, Item))), f"the {about} of")
+    return clause(parts, [(draft("tell", about=about, of=of, person=_listener(parts)),)])
+
+
+def _listener(parts: Parts) -> Nominal | None:
+    """Who is told it, unless that is who speaks."""
+    person = next((part for part in parts if isinstance(part, Nominal)), None)
+    if person is None or person.sort == "me":
+        return None
+    if person.plural and not person.reference:
+        raise trouble("several people at once: name one", person.kind)
+    return somebody(person, "telling")
+
+
+MEANINGS = meanings(
+    {
+        "skilled": _skilled,
+        "answer": _answer,
+        "tell": _tell,
+    }
+)

@@ -4,31 +4,32 @@ from __future__ import annotations
 
 import importlib.resources
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from functools import cache
+from typing import Any
 
 from executive.language.chart.chart import Chart
-from executive.language.explain.examples import EXAMPLES, nearest_example
 from executive.language.explain.typos import is_slip, meant_by
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 from executive.meaning import Refusal
 from executive.vocabulary import Vocabulary
+from executive.vocabulary.written import split_words
 
-__all__ = ["EXAMPLES", "Explainer", "printable"]
-
-_SHOWN = 40
-"""Characters of an offending word that are repeated to the user."""
-
-_SHOWN_OF_A_PART = 80
-"""Characters of what was understood, and of what was not, that are repeated to the user."""
+_SHOWN, _SHOWN_OF_A_PART = 40, 80
+"""Characters of an offending word that are repeated to the user, and of what was understood or was not."""
 
 _KNOWN_WORDS = 2
 """So many words of a sentence must be known for one that is mistyped: another language is not mended."""
 
-_ANYWHERE = ("deciding", "taking_back", "forbidding")
-"""Lists of word classes that explain a refusal wherever they stand, the best first."""
+_LONGEST = 60
+"""Words of which an example is looked for, so that no text takes long."""
+
+_TOGETHER = "the words are known, but together they are no task of this robot; say it in shorter steps"
+_JOINS = frozenset({"SEP", "AND"})
+_NAMES = frozenset({"NAME", "OWNER"})
+_BEFORE_A_NOUN = frozenset({"DET", "ARTICLE", "OF"})
 
 
 def printable(word: str, longest: int = _SHOWN) -> str:
@@ -38,20 +39,15 @@ def printable(word: str, longest: int = _SHOWN) -> str:
 
 
 @cache
-def classes_of(name: str) -> frozenset[str]:
-    """A list of word classes of ``refusals.toml``."""
-    text = (
-        importlib.resources.files("executive.language.explain").joinpath("refusals.toml").read_text("utf-8")
-    )
-    return frozenset(tomllib.loads(text)[name])
-
-
-@cache
-def messages() -> Mapping[str, str]:
-    """What is said of word classes that the grammar uses, where a sentence breaks off at one."""
+def explanations() -> Mapping[str, Any]:
+    """What ``explanations.toml`` says; see there."""
     folder = importlib.resources.files("executive.language.explain")
-    found: Mapping[str, str] = tomllib.loads(folder.joinpath("refusals.toml").read_text("utf-8"))["messages"]
-    return found
+    return tomllib.loads(folder.joinpath("explanations.toml").read_text("utf-8"))
+
+
+def examples() -> Sequence[str]:
+    """Valid wordings, one or two of each action."""
+    return tuple(explanations()["examples"])
 
 
 class Explainer:
@@ -62,154 +58,128 @@ class Explainer:
 
     def explain(self, lattice: Lattice, chart: Chart) -> Refusal:
         """Why there is no parse."""
-        if not lattice.pieces:
+        size = len(lattice.pieces)
+        if not size:
             shown = printable(lattice.plain)
-            return Refusal(f"{shown!r} says nothing to do", shown, EXAMPLES[0])
+            return Refusal(f"{shown!r} says nothing to do", shown, examples()[0])
         broken = max(chart.furthest, lattice.first_said)
         understood = chart.understood()
-        for name in _ANYWHERE:
-            found = next(self._refused(lattice, classes_of(name), range(len(lattice.pieces))), None)
-            if found is not None:
-                return self._told(found, lattice, understood)
-        begun = self._begun_with_no_skill(lattice, chart)
-        if begun is not None:
-            return self._told(begun, lattice, understood)
+        part = "" if understood is None else printable(lattice.text(*understood), _SHOWN_OF_A_PART)
+        part = f"I understood {part!r}; " if part else ""
+        forbidden = next(self._forbidden(lattice, chart), None)
+        if forbidden is not None:
+            inside = understood is not None and understood[0] <= forbidden.start < understood[1]
+            return self._told(forbidden, "" if inside else part)
         unknown = lattice.unknown()
-        if unknown is not None and unknown <= broken:
-            return self._unknown(lattice, chart, unknown, understood)
+        if unknown is not None and (understood is None or unknown <= broken):
+            mended = self._mended(lattice, unknown, chart.expected if unknown == chart.furthest else None)
+            return self._at(lattice, unknown, f"{part}the word ", f" is not known{mended}")
         if understood is not None:
-            return self._only_a_part(lattice, understood)
-        if unknown is not None:
-            return self._unknown(lattice, chart, unknown, None)
-        here = self._refused(lattice, None, (broken, broken - 1), chart)
-        ended = broken >= len(lattice.pieces) or lattice.ends[broken]
-        last = classes_of("at_last")
-        found = next(self._refused(lattice, last, range(len(lattice.pieces))) if ended else here, None)
+            rest = printable(_beside(lattice, *understood), _SHOWN_OF_A_PART)
+            if not rest:
+                return Refusal(_TOGETHER, None, self.nearest_example(lattice.plain))
+            return Refusal(f"{part}I did not understand {rest!r}. Say only the command", rest, None)
+        ended = broken >= size or lattice.ends[broken]
+        places = range(size) if ended else (broken, broken - 1)
+        found = next(self._refused(lattice, explanations()["behind"] if ended else None, places), None)
         if found is not None:
-            return self._told(found, lattice, None)
-        if ended and chart.has_beginning_of("command"):
-            return self._incomplete(lattice, chart)
-        shown = printable(lattice.pieces[min(broken, len(lattice.pieces) - 1)].text)
-        if lattice.may_begin(broken) or not chart.has_beginning_of("command"):
-            first = printable(lattice.pieces[lattice.first_said].text)
-            message, shown = f"a command begins with what to do, not with {first!r}", first
-        else:
-            before = printable(lattice.pieces[broken - 1].text)
-            message = f"{shown!r} does not fit after {before!r}"
-        return Refusal(message, shown, self.nearest_example(lattice.plain))
+            return self._told(found, "")
+        if lattice.may_begin(broken):
+            return self._at(lattice, lattice.first_said, "a command begins with what to do, not with ")
+        if ended and chart.unfit:
+            return Refusal(_TOGETHER, None, self.nearest_example(lattice.plain))
+        if ended:
+            last = max((at for at in range(size) if not lattice.pieces[at].is_mark), default=0)
+            return self._at(lattice, last, "after ", " something is missing")
+        before = printable(lattice.pieces[broken - 1].text)
+        return self._at(lattice, broken, "", f" does not fit after {before!r}")
+
+    def _at(self, lattice: Lattice, position: int, before: str, behind: str = "") -> Refusal:
+        """Refuse a piece, and offer what looks like the sentence."""
+        shown = printable(lattice.pieces[position].text)
+        return Refusal(f"{before}{shown!r}{behind}", shown, self.nearest_example(lattice.plain))
+
+    def _told(self, word: Word, part: str) -> Refusal:
+        """Refuse a word behind what was understood beside it."""
+        return Refusal(f"{part}{self._message(word)}", printable(word.said), None)
 
     def forbids(self, lattice: Lattice, chart: Chart) -> bool:
         """Whether a word of a sentence is never acted on, so that nothing is asked about the rest."""
-        places = range(len(lattice.pieces))
-        found = (next(self._refused(lattice, classes_of(name), places), None) for name in _ANYWHERE)
-        return any(one is not None for one in found) or self._begun_with_no_skill(lattice, chart) is not None
+        return next(self._forbidden(lattice, chart), None) is not None
 
-    def _refused(
-        self,
-        lattice: Lattice,
-        only: frozenset[str] | None,
-        places: Sequence[int],
-        chart: Chart | None = None,
-    ) -> Iterator[Word]:
+    def _forbidden(self, lattice: Lattice, chart: Chart) -> Iterator[Word]:
+        """Words that explain a refusal wherever they stand, and then those that begin a clause."""
+        size = len(lattice.pieces)
+        for classes in explanations()["anywhere"]:
+            yield from self._refused(lattice, classes, range(size))
+        for start in range(min(max(chart.furthest, lattice.first_said) + 1, size)):
+            if begins_clause(lattice, start):
+                for done in self._refused(lattice, explanations()["beginning"], (start,)):
+                    if not chart.begins_command(one for one in lattice.phrase(start) if one.end >= done.end):
+                        yield done
+
+    def _refused(self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int]) -> Iterator[Word]:
         """Words that are known and never acted on, of some classes, the longest of each place first."""
         for position in places:
             words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
-            if chart is not None and chart.begins_command(words):
-                continue
             for word in sorted(words, key=lambda one: -one.end):
-                wanted = word.word_class in only if only else word.word_class not in classes_of("small_words")
-                if wanted and self._message(word) is not None:
+                if (only is None or word.word_class in only) and self._message(word) is not None:
                     yield word
 
     def _message(self, word: Word) -> str | None:
         """What a word is refused with; None where it is none that is refused."""
         said = printable(word.said)
-        used = messages().get(word.word_class)
+        used: str | None = explanations()["messages"].get(word.word_class)
         if used is not None:
             return used.format(word=said)
         return self._vocabulary.refusal_of(word.word_class, word.meaning, said)
 
-    def _told(self, word: Word, lattice: Lattice, understood: tuple[int, int] | None) -> Refusal:
-        """Refuse a word, and say what was understood beside it."""
-        message = self._message(word) or ""
-        part = self._part(lattice, understood)
-        beside = understood is not None and not understood[0] <= word.start < understood[1]
-        if part and beside:
-            message = f"I understood {part!r}; {message}"
-        return Refusal(message, printable(word.said), None)
-
-    @staticmethod
-    def _part(lattice: Lattice, understood: tuple[int, int] | None) -> str:
-        return "" if understood is None else printable(lattice.text(*understood), _SHOWN_OF_A_PART)
-
-    def _only_a_part(self, lattice: Lattice, understood: tuple[int, int]) -> Refusal:
-        """Refuse what stands beside a command, and show the command."""
-        start, end = understood
-        while end < len(lattice.pieces) and lattice.pieces[end].is_mark:
-            end += 1
-        behind, before = lattice.text(end, len(lattice.pieces)), lattice.text(0, start)
-        rest = printable(behind or before, _SHOWN_OF_A_PART)
-        part = self._part(lattice, understood)
-        if not rest:
-            return self._together(lattice)
-        message = f"I understood {part!r}; I did not understand {rest!r}. Say only the command"
-        return Refusal(message, rest, None)
-
-    def _begun_with_no_skill(self, lattice: Lattice, chart: Chart) -> Word | None:
-        """What a clause begins with that is no skill and can be read as no command: "clean the cup"."""
-        for start in range(min(max(chart.furthest, lattice.first_said) + 1, len(lattice.pieces))):
-            joined = start > 0 and (lattice.pieces[start - 1].is_mark or lattice.ends_with(start, _JOINS))
-            words = lattice.phrase(start) if joined or lattice.may_begin(start) else ()
-            done = next(self._refused(lattice, classes_of("of_no_skill"), (start,)), None) if words else None
-            if done is not None and not chart.begins_command(one for one in words if one.end >= done.end):
-                return done
-        return None
-
-    def _together(self, lattice: Lattice) -> Refusal:
-        message = "the words are known, but together they are no task of this robot; say it in shorter steps"
-        last = printable(lattice.pieces[-1].text)
-        return Refusal(message, last, self.nearest_example(lattice.plain))
-
-    def _incomplete(self, lattice: Lattice, chart: Chart) -> Refusal:
-        if chart.unfit:
-            return self._together(lattice)
-        last = next((one.text for one in reversed(lattice.pieces) if not one.is_mark), lattice.plain)
-        message = f"after {printable(last)!r} something is missing"
-        return Refusal(message, printable(last), self.nearest_example(lattice.plain))
-
-    def _unknown(
-        self, lattice: Lattice, chart: Chart, position: int, understood: tuple[int, int] | None
-    ) -> Refusal:
-        """Refuse an unknown word, with the known one that may have been meant."""
-        text = lattice.pieces[position].text
-        shown = printable(text)
-        message, nearest = f"the word {shown!r} is not known", self.nearest_example(lattice.plain)
-        part = self._part(lattice, understood)
-        if part:
-            message = f"I understood {part!r}; {message}"
-        expected = chart.expected if position == chart.furthest else None
-        near = [one for one in meant_by(text, self._vocabulary.single_words) if self._fits(one, expected)]
-        if near and len(lattice.unknown_pieces()) * _KNOWN_WORDS <= len(lattice.pieces):
-            message = f"{message}; did you mean {near[0]!r}?"
-        return Refusal(message, shown, nearest)
-
-    def _fits(self, word: str, expected: AbstractSet[str] | None) -> bool:
-        """Whether a word may stand where some word classes are expected."""
-        found = {reading.word_class for _, reading in self._vocabulary.matches([word], 0)}
-        return expected is None or not found.isdisjoint(expected)
+    def _mended(self, lattice: Lattice, position: int, expected: AbstractSet[str] | None) -> str:
+        """The known word that an unknown one may have been meant to be, as a question."""
+        near = [
+            one
+            for one in meant_by(lattice.pieces[position].text, self._vocabulary.single_words)
+            if expected is None or not self._begun([one]).isdisjoint(expected)
+        ]
+        foreign = len(lattice.unknown_pieces()) * _KNOWN_WORDS > len(lattice.pieces)
+        return f"; did you mean {near[0]!r}?" if near and not foreign else ""
 
     def is_mistyped(self, word: str) -> bool:
         """Whether what looks like a name is rather a known word, mistyped."""
         near = meant_by(word, self._vocabulary.single_words)
-        return any(not self._is_name(one) or is_slip(word, one) for one in near)
-
-    def _is_name(self, word: str) -> bool:
-        return {reading.word_class for _, reading in self._vocabulary.matches([word], 0)} <= _NAMES
+        return any(not self._begun([one]) <= _NAMES or is_slip(word, one) for one in near)
 
     def nearest_example(self, text: str) -> str | None:
-        """A valid wording of what a text says to do."""
-        return nearest_example(text, self._vocabulary)
+        """The valid wording of an action that a text names which looks most like it, if there is one."""
+        said = _words_of(text)[:_LONGEST]
+        verbs = [
+            self._begun(said[at:])
+            for at in range(len(said))
+            if at == 0 or self._begun([said[at - 1]]).isdisjoint(_BEFORE_A_NOUN)  # "the watch" is no verb
+        ]
+        begun: set[str] = set().union(*verbs)
+        fitting = [one for one in examples() if not begun.isdisjoint(self._begun(_words_of(one)))]
+        words = {word.rstrip("s") for word in said}
+        return max(fitting, key=lambda one: len(words & set(_words_of(one))) / len(one.split()), default=None)
+
+    def _begun(self, said: Sequence[str]) -> set[str]:
+        """The word classes of all phrases that some words begin with."""
+        return {reading.word_class for _, reading in self._vocabulary.matches(said, 0)}
 
 
-_JOINS = frozenset({"SEP", "AND"})
-_NAMES = frozenset({"NAME", "OWNER"})
+def _beside(lattice: Lattice, start: int, end: int) -> str:
+    """What stands behind a part of a sentence, or else before it."""
+    while end < len(lattice.pieces) and lattice.pieces[end].is_mark:
+        end += 1
+    behind = "" if lattice.ends[end] else lattice.text(end, len(lattice.pieces))
+    return behind or lattice.text(0, start)
+
+
+def begins_clause(lattice: Lattice, start: int) -> bool:
+    """Whether only courtesies, a conjunction or a mark stand before a place."""
+    joined = start > 0 and (lattice.pieces[start - 1].is_mark or lattice.ends_with(start, _JOINS))
+    return joined or lattice.may_begin(start)
+
+
+def _words_of(text: str) -> list[str]:
+    return [word for word, _, _ in split_words(text)]

@@ -23,17 +23,13 @@ def meant_by(word: str, known: AbstractSet[str]) -> list[str]:
     found = {
         one for one in _one_edit_away(word) if one in known and (len(one) > SHORTEST or len(word) > SHORTEST)
     }
-    return sorted(found, key=lambda one: (sorted(one) != sorted(word), -_ratio(word, one), one))
+    alike = {one: difflib.SequenceMatcher(None, word, one).ratio() for one in found}
+    return sorted(found, key=lambda one: (sorted(one) != sorted(word), -alike[one], one))
 
 
 def is_slip(word: str, known: str) -> bool:
     """Whether letters changed places, or one is missing or too many: "Jhon", "Annna", but not "Theodora"."""
     return sorted(word) == sorted(known) or len(word) != len(known)
-
-
-def _ratio(word: str, known: str) -> float:
-    """How much two words have in common, up to 1."""
-    return difflib.SequenceMatcher(None, word, known).ratio()
 
 
 def _one_edit_away(word: str) -> Iterator[str]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from executive.language.phrases.arranging import Arranged, trouble
-from executive.language.phrases.parts import Parts
-from executive.language.phrases.values import Item, Nominal
-from executive.language.text.word import Word
+from executive.language.phrases.amounts import WHICH_OBJECT
+from executive.language.phrases.arranging import Arranged, TroubleError, trouble
+from executive.language.phrases.values import Draft, Nominal, draft
+from executive.vocabulary.inflection import plural
 from trees.beliefs.grounding.articles import with_article
 
 PREVIOUS = Nominal("any", reference="previous", determined=True)
@@ -34,28 +34,16 @@ TRASH = "trash"
 def thing(one: Arranged, doing: str) -> Nominal:
     """The object, if it is something that a hand can take."""
     nominal = one.object
-    if nominal.is_person or nominal.sort == "you":
-        told = f"{doing} a person" + (f" ({nominal.kind!r})" if nominal.kind else "")
-        raise trouble(f"{told} is nothing that this robot does", nominal.kind)
-    if nominal.sort == "animal":
-        raise trouble(f"{doing} an animal ({nominal.kind!r}) is nothing that this robot does", nominal.kind)
-    if nominal.is_place:
-        raise trouble(
-            f"{doing} the {nominal.kind} ({nominal.kind!r}) is nothing that this robot can do", nominal.kind
-        )
-    unclear = nominal.plural and not nominal.reference and not nominal.counted and not nominal.determined
+    if nominal.is_person or nominal.is_place or nominal.sort in ("you", "animal"):
+        noun = "an animal" if nominal.sort == "animal" else "the place" if nominal.is_place else "a person"
+        named = f" ({nominal.kind!r})" if nominal.kind else ""
+        raise trouble(f"{doing} {noun}{named} is nothing that this robot does", nominal.kind)
+    unclear = nominal.plural and not (nominal.reference or nominal.counted or nominal.determined)
     if unclear or nominal.is_vague:
         raise trouble("how many of them?", asks=True)
-    if (
-        nominal.sort == "any"
-        and nominal.kind is None
-        and not nominal.reference
-        and nominal.is_plain
-        and nominal.count == 1
-        and not nominal.is_bare_one
-        and one.source is None
-    ):
-        raise trouble("which object is meant?", asks=True)
+    unnamed = nominal.sort == "any" and nominal.kind is None and not (nominal.reference or one.source)
+    if unnamed and nominal.is_plain and nominal.count == 1 and not nominal.is_bare_one:
+        raise TroubleError(WHICH_OBJECT)
     if nominal.plural and not nominal.reference and not nominal.counted:
         nominal = replace(nominal, count="all")
     return nominal
@@ -64,11 +52,6 @@ def thing(one: Arranged, doing: str) -> Nominal:
 def count_of(nominal: Nominal) -> int | str | None:
     """The slot ``count``, unless it is one."""
     return None if nominal.count == 1 else nominal.count
-
-
-def with_it(parts: Parts) -> Parts:
-    """With the thing that a terse command leaves out: "take the cup, place on the shelf"."""
-    return (*(part for part in parts if isinstance(part, Word)), Item(IT), *parts[1:])
 
 
 def only_for(one: Arranged, person: Nominal) -> None:
@@ -91,3 +74,23 @@ def has_clear_place(one: Arranged) -> None:
     place = one.source
     if place is not None and place.indefinite and place.sort in ("thing", "any"):
         raise trouble(f"is it in or on {with_article(place.kind)}, or shall it be brought so?", asks=True)
+
+
+def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> Draft:
+    """The task of looking for something; ``existing`` is whether it is asked if there is any such thing.
+
+    A bare plural is satisfied by one ("find cups"), "the cups" are all of them. Where several cannot be told,
+    as furniture that is seen in parts, the task comes with a question: another reading may know better.
+    """
+    if existing and nominal.counted:
+        raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))
+    every = nominal.plural and nominal.determined and not (nominal.counted or nominal.is_vague)
+    count = 1 if existing or nominal.reference else "all" if every else nominal.count
+    if nominal.is_person and (existing or (count == 1 and nominal.traits)):
+        nominal = replace(nominal, plural=False)  # "are there any people": one is enough
+    thing = {"person" if nominal.is_person else "object": replace(nominal, count=count)}
+    told = draft("find", **thing, source=source, count=None if count == 1 else count)
+    told_apart = nominal.kind == "person" if nominal.is_person else not nominal.is_place  # guests are not
+    if count == 1 or (told_apart and not nominal.is_vague):
+        return told
+    return told.with_slot("one_of", f"which one of the {plural(nominal.kind or 'thing')}?")

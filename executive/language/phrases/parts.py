@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from executive.language.phrases.values import Nominal
+from executive.language.phrases.values import Meaning, Nominal
 from executive.language.text.word import Word
 
 Parts = tuple[Any, ...]
@@ -19,3 +19,13 @@ def words(parts: Iterable[Any], *classes: str) -> list[Word]:
 def nominal_of(parts: Parts) -> Nominal | None:
     """The noun among the parts."""
     return next((part for part in reversed(parts) if isinstance(part, Nominal)), None)
+
+
+def always(value: Any) -> Meaning:
+    """The meaning of words that mean the same wherever they stand."""
+    return lambda _parts: value
+
+
+def senses(parts: Iterable[Any], *classes: str) -> set[str]:
+    """Which of the meanings that some word classes tell apart is there, without the form of a verb."""
+    return {word.meaning.partition(":")[0] for word in words(parts, *classes)}

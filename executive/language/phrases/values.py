@@ -22,12 +22,10 @@ HARMS = "could harm; this robot does not do that"
 EXCEEDS = "exceeds the limit of"
 """What a refusal says of a number that is over a limit, which holds however the rest is read."""
 
-_RELATION_KINDS: dict[str, RelationKind] = {kind: kind for kind in get_args(RelationKind)}
-
 
 def relation_kind(name: str) -> RelationKind | None:
     """The relation of a name, or None when it is none that a task can have."""
-    return _RELATION_KINDS.get(name)
+    return next((kind for kind in get_args(RelationKind) if kind == name), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +48,6 @@ class Feature:
 
     slot: str
     value: str
-    said: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,26 +60,20 @@ class Relative:
 
 @dataclass(frozen=True, slots=True)
 class Nominal:
-    """A noun phrase.
+    """A noun phrase; colour, size and the like are as in ``trees.tasks.ObjectDescription``.
 
     Attributes:
         sort: What sort of thing the noun names; "any" for things of no or an unknown kind.
         kind: Canonical noun, or a person's name.
-        color, size, material, ordinal, name: As in ``trees.tasks.ObjectDescription``.
-        relation: Where it is.
-        count: How many.
-        plural: Whether the noun was in the plural.
         counted: Whether it was said how many.
         reference: What it points back to, instead of a noun.
         anaphoric: Whether the noun is "one": the kind that was named before.
-        determined: Whether an article or the like was there.
+        determined, indefinite: Whether an article or the like was there, and whether it was "a".
         paired: Whether it is one thing with a plural name: scissors.
         mass: Whether all of it is meant by "all the milk", without a plural.
         said: The noun as it was said.
-        indefinite: Whether "a" or "an" was before it.
         whose: The word before it that tells one of its kind from another: "my", "that".
         owner: To whom it belongs, who may be meant by "her" after it.
-        laced: Whether it is said what it is served with: "coffee with milk".
     """
 
     sort: Sort
@@ -92,6 +83,7 @@ class Nominal:
     material: str | None = None
     ordinal: str | None = None
     name: str | None = None
+    traits: tuple[str, ...] = ()
     relation: Relative | None = None
     count: int | str = 1
     plural: bool = False
@@ -105,15 +97,24 @@ class Nominal:
     indefinite: bool = field(default=False, compare=False)
     whose: str = field(default="", compare=False)
     owner: Nominal | None = field(default=None, compare=False)
-    laced: bool = field(default=False, compare=False)
 
-    def described(self, feature: Feature) -> Nominal | Trouble:
-        """With one more feature; a contradiction is trouble."""
+    def described(self, feature: Feature) -> Nominal | Trouble | None:
+        """With one more feature; a contradiction is trouble, and None is what nobody says of such a thing."""
+        if feature.slot == "traits":
+            traits = tuple(dict.fromkeys((*self.traits, feature.value)))
+            return replace(self, traits=traits) if self.sort == "person" and not self.reference else None
+        if feature.value == "small" and self.mass and not self.paired:
+            return None  # "a little milk" is said of how much
         present = getattr(self, feature.slot)
         if present is not None and present != feature.value:
             return Trouble(f"{present!r} and {feature.value!r} contradict each other", feature.value)
         changes: Any = {feature.slot: feature.value}
         return replace(self, **changes)
+
+    def counted_from(self, side: str) -> Nominal:
+        """The second from the right, of a second one; it may be said that it is from the left."""
+        last = "rightmost" if self.ordinal == "first" else f"{self.ordinal}_from_right"
+        return self if side == "leftmost" else replace(self, ordinal=last)
 
     def placed(self, relation: Relative) -> Nominal | Trouble:
         """With where it is; being at two places is trouble."""
@@ -121,9 +122,12 @@ class Nominal:
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
             return wears(self, relation.to)
-        if self.relation is not None and self.relation != relation:
+        if self.relation is None or self.relation == relation:
+            return replace(self, relation=relation)
+        inner = self.relation.to.placed(relation) if relation.to.sort == "room" else None
+        if not self.relation.to.is_place or not isinstance(inner, Nominal):
             return Trouble("more than one place is named for the same thing", None)
-        return replace(self, relation=relation)
+        return replace(self, relation=Relative(self.relation.kind, inner))  # at the desk in the kitchen
 
     @property
     def is_person(self) -> bool:
@@ -148,7 +152,8 @@ class Nominal:
     @property
     def is_plain(self) -> bool:
         """Whether the noun says it all."""
-        return all(getattr(self, name) is None for name in _DESCRIBES)
+        told = (self.color, self.size, self.material, self.ordinal, self.name, self.relation)
+        return not self.traits and all(one is None for one in told)
 
     @property
     def is_bare_one(self) -> bool:
@@ -167,27 +172,20 @@ def may_be_found(relation: Relative) -> bool:
     return inside or beside or (relation.kind == "on" and of.kind in SEATS)
 
 
-_DESCRIBES = ("color", "size", "material", "ordinal", "name", "relation")
-
-
-def wears(person: Nominal, clothing: Nominal) -> Trouble:
-    """The refusal of "the man in the red coat": it is no place where he is."""
-    word = clothing.said or clothing.kind
-    return Trouble(f"the {person.kind} in the {word}: people cannot be told apart by what they wear", word)
+def wears(person: Nominal, thing: Nominal) -> Trouble:
+    """The refusal of "the man in the hat": it is no place where he is."""
+    told = "somebody is in a room or at furniture, and wears a garment of some colour"
+    return Trouble(f"the {person.kind} in the {thing.said or thing.kind}: {told}", thing.said or thing.kind)
 
 
 @dataclass(frozen=True, slots=True)
 class Where:
-    """A place that is said of a thing.
+    """A place that is said of a thing: by a preposition, or as a relation to something.
 
     Attributes:
         role: Where it "is", where it comes "from", where it goes "to", or "either": is or goes.
-        preposition: How; None for a relation.
-        relation: Kind of the relation, such as "left_of".
-        of: The place, or what the relation is to.
         atop: Whether it was said to be on top of it.
-        left_by: Who left the thing there, who may be meant by "her" after it.
-        posture: The word that says how it is there: "sitting".
+        posture: How somebody is there: "sitting".
     """
 
     role: Role
@@ -195,8 +193,13 @@ class Where:
     preposition: Preposition | None = None
     relation: RelationKind | None = None
     atop: bool = False
-    left_by: Nominal | None = None
     posture: str = ""
+
+    @property
+    def told(self) -> Relative:
+        """The place as a relation."""
+        places: dict[str | None, RelationKind] = {"on": "on", "in": "in"}
+        return Relative(self.relation or places.get(self.preposition, "next_to"), self.of)
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,14 +218,10 @@ class Benefit:
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A thing with what is said of it; ``details`` are Where, Hand and Benefit.
-
-    ``too`` is whether it goes where the one before it goes: "and the can too".
-    """
+    """A thing with what is said of it; ``details`` are Where, Hand and Benefit."""
 
     of: Nominal
     details: tuple[Any, ...] = ()
-    too: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,14 +229,6 @@ class Items:
     """Several things that the same is done to."""
 
     each: tuple[Item, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """A thing for a person: "Ana the cup"."""
-
-    person: Nominal
-    item: Item
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,10 +262,7 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names, and where it says that it is, in which state, or for whom.
-
-    Of what merely ``exists`` it is not said where.
-    """
+    """A thing that a statement names: where it is, in which state, for whom, or merely that it ``exists``."""
 
     of: Nominal
     source: Nominal | None = None
@@ -292,25 +280,14 @@ class Clause:
     """One command: what to do, the form of its verb, and its words.
 
     Attributes:
-        bundles: What to do.
-        form: Of the verb.
-        text: The words.
         revokes: The words that take back what was said before them, if these are such words.
         mention: What is stated, of a clause that is no command.
         about: Who and which places are named beside what is done: "Ana is in the kitchen", "for Ana".
-        said_before: What another clause names that is said before this one and done after it: "before you
-            close the drawer, put the ball in it".
-        terse: Whether it stands only where a clause begins, because its first words could belong to what is
-            said before it: "forward 2 m", "the cup, take it".
+        said_before: What another clause names that is said before this one and done after it.
+        terse: Whether its first words could belong to what is said before it: "forward 2 m".
         number: Which one of a numbered list it is.
-        spelled: Whether that is a mere number in words: "one, go home. Two, wave".
-        question: Whether it begins as a question does, and so may be meant for "which is ..." where nothing
-            stands before it: "bring me the cup what is on the table".
-        topic: Whether it begins with its thing, which after "and" or a comma may be one more of what
-            precedes: "pick up the cup and the bottle, put it on the shelf".
-        you: What it is if "you" stands before it: see ``told``.
-        begun: Whether it is said to be the "first", the "last" or the "next" one: "begin by opening it".
-        placed: Whether it begins with where its thing is, which after a comma may be said of what precedes.
+        question: Whether it begins as a question does, and may be meant for "which is ...".
+        topic: Whether it begins with its thing, which after "and" may be one more of what precedes.
         said_first: Whether it is said before what is done first: "before you wave, open the fridge".
         hand_first: Whether it begins with the hand to use, which may be said of what follows it as well.
     """

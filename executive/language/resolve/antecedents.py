@@ -1,227 +1,180 @@
-"""What "it", "them" and "the first one" stand for among the things that were named."""
+"""Which thing "it", "them", "the cup" and "the door" stand for among those that were named.
+
+Each function raises ``UnresolvedError`` with a question where nothing fits, or several things do.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 from executive.language.phrases.values import Nominal
-from executive.language.resolve.discourse import Entity, ask
-from executive.language.resolve.repeated_nouns import PUTS_DOWN, RepeatedNouns
-from trees.tasks import ObjectOf
+from executive.language.resolve.discourse import LEAVES, MOVES, PUTS_DOWN, THINGS, Discourse, ask
+from executive.language.resolve.kinds import listed
+from trees.tasks import ObjectDescription, ObjectOf
 
-_OPENED = ("container", "door")
-_COUNTED = ("first", "second", "third", "fourth", "fifth", "last")
-_CONTRASTED = ("color", "size", "material", "ordinal")
-_MOVES = ("pick", *PUTS_DOWN)
-
-
-def is_any(_entity: Entity) -> bool:
-    """Whatever it is."""
-    return True
+LOOKS = frozenset({"look_at", "point_at", "find", "describe"})
+OPENS = frozenset({"open", "close"})
+OPENED = frozenset({"container", "door"})
+_SLOTS = frozenset(one.name for one in fields(ObjectDescription))
+_TOLD = tuple(one.name for one in fields(Nominal) if one.name in _SLOTS)
 
 
-def _is_alike(source: Any, place: Nominal) -> bool:
-    """Whether something is taken from what was named as a place."""
-    if not isinstance(source, Nominal) or source.kind is None:
-        return False
-    said = ("kind", "color", "size", "material", "ordinal")
-    return all(getattr(source, slot) in (None, getattr(place, slot)) for slot in said)
-
-
-class Antecedents(RepeatedNouns):
-    """Finds the thing that a word refers to."""
-
-    def _it(self, nominal: Nominal, action: str, out_of: Any = None) -> Any:
-        if nominal.reference == "this":
-            raise ask("which one is meant?")
-        if nominal.reference == "him" or nominal.is_person:
-            raise ask("who or what is meant?")
-        if action in ("open", "close"):
-            return self._opened()
-        recent = self._recent(lambda entity: entity.of.sort in ("thing", "any"))
-        self._no_animal(recent)
-        if not recent and action in ("look_at", "point_at", "find", "describe"):
-            recent = self._recent(is_any)
-        ahead = [one for one in self._said_before if one.sort in ("thing", "any")]
-        if recent and ahead:
-            raise ask("which of them does 'it' stand for?", [f"the {one.of.kind}" for one in recent])
-        if not recent:
-            if len(ahead) == 1 and not self._places and nominal.reference == "it":
-                return ahead[0]  # "before you give the cup to Ana, pick it up"
-            raise ask("what does 'it' stand for?")
-        if nominal.reference == "them":
-            raise ask("what does 'them' stand for?")
-        if len(recent) > 1:
-            raise ask("which of them does 'it' stand for?", [f"the {entity.of.kind}" for entity in recent])
-        root = recent[0].task
-        if (
-            self._put_to is not None
-            and self._put_to[0] == recent[0].clause
-            and action in _MOVES
-            and not _is_alike(out_of, self._put_to[1])  # nothing is taken out of itself
-        ):
-            names = [f"the {one.kind}" for one in (recent[0].of, self._put_to[1])]
-            raise ask("which of them does 'it' stand for?", names)
-        if action in PUTS_DOWN and self._held and root not in self._held:
-            raise ask("which of them does 'it' stand for?")
-        if recent[0].is_several:
-            raise ask("which of them does 'it' stand for?")
-        return ObjectOf(root)
-
-    def _all_in_the_hands(self) -> list[Entity]:
-        """All that was named, if each was taken by itself: "take the cup. Take the plate. Put them ..."."""
-        named = {one.task: one for one in self._entities if one.of.sort in ("thing", "any")}
-        alone = all(one.task in self._held and one.of.is_single for one in named.values())
-        alone = alone and len({one.clause for one in named.values()}) == len(named)
-        return list(named.values()) if alone and not self._mentioned and self._put_to is None else []
-
-    def _no_animal(self, recent: Iterable[Entity]) -> None:
-        """Ask when "it" may be an animal that was named no earlier than the things that it may be.
-
-        Raises:
-            UnresolvedError: It may.
-        """
-        animals = [one.clause for one in self._entities if one.of.sort == "animal"]
-        if animals and any(max(animals) >= one.clause for one in recent):
-            raise ask("which of them does 'it' stand for?")
-
-    def _that(self, thing: Nominal) -> Any:
-        """What "that drawer" is after "the left drawer": a task's thing, or a place; None if none was named.
-
-        Raises:
-            UnresolvedError: It may be one of several.
-        """
-        if thing.whose not in ("that", "this"):
-            return self._told_before(thing)
-        if thing.kind is None or not thing.is_plain or thing.plural:
-            return None
-        same = [one for one in self._entities if one.of.kind == thing.kind]
-        acted = {one.task: one.of for one in same}
-        beside = any(one.clause == self._clause for one in same)  # "this cup here and that cup there"
-        others = [
-            one
-            for one in dict.fromkeys((*self._places, *self._beside_places, *self._mentioned))
-            if one.kind == thing.kind and one not in acted.values()
-        ]
-        pointed = any(one.whose not in ("", thing.whose) for one in (*acted.values(), *others))
-        several = len(acted) + len(others) > 1 or any(not one.is_single for one in acted.values())
-        if several or pointed or beside:
-            raise ask(f"which {thing.kind} is meant by {thing.whose!r}?")
-        if acted:
-            return ObjectOf(next(iter(acted)))
-        return replace(others[0], whose="") if others else None
-
-    def _opened(self) -> Any:
-        """What is opened or closed: a door that a task acts on, or the only one that was named."""
-        recent = self._recent(lambda entity: entity.of.sort in _OPENED)
-        places = list(dict.fromkeys(place for place in self._places if place.sort in _OPENED))
-        named = [place for place in places if place not in [entity.of for entity in recent]]
-        if len(recent) == 1 and not named:
-            return ObjectOf(recent[0].task)
-        if not recent and not places:  # "walk in front of the fridge and open it"
-            places = list(dict.fromkeys(one for one in self._beside_places if one.sort in _OPENED))
-        if not recent and len(places) == 1:
-            return places[0]
+def it(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
+    """What "it" is that something is done to: one thing, never a person."""
+    if of.reference == "this":
+        raise ask("which one is meant?")
+    if action in OPENS:
+        return _opened(told)
+    recent = told.recent(THINGS)
+    animals = [one.clause for one in told.things if one.of.sort == "animal"]
+    if not recent and action in LOOKS:
+        recent = told.recent()
+    elif animals and any(max(animals) >= one.clause for one in recent):
+        raise ask("which of them does 'it' stand for?")
+    if not recent or any(one.sort in THINGS for one in told.ahead):
         raise ask("what does 'it' stand for?")
+    (one, *others) = recent
+    goals = told.as_named("goal", "again", "walk" if action == "pick" else "goal", sorts=THINGS)[-1:]
+    if action in MOVES:  # "put the ball in the box and bring it to me"
+        others += [goal for goal in goals if goal.clause >= one.clause and goal.of != one.of]
+    if others or one.is_several or (action in PUTS_DOWN and told.held and one.task not in told.held):
+        raise ask("which of them does 'it' stand for?", [f"the {each.of.kind}" for each in (one, *others)])
+    return ObjectOf(one.task)
 
-    def _looked_into(self) -> ObjectOf:
-        """What is looked into: the only thing that was opened, while it is open.
 
-        Raises:
-            UnresolvedError: Nothing was, or several things, or it may be what something was put into.
-        """
-        opened = [index for index, one in enumerate(self._commands) if one.action == "open"]
-        since = {one.action for one in self._commands[opened[-1] :]} if opened else set()
-        if len(opened) != 1 or since & {"close", "walk_to", "go_home", "move", "place"} or self._mentioned:
-            raise ask("into what?")
-        return ObjectOf(opened[0])
+def _opened(told: Discourse) -> Nominal | ObjectOf:
+    """What is opened or closed: a door that a task acts on, or the only one that was named."""
+    recent = told.recent(OPENED)
+    acted = [one.of for one in recent]
+    named = [one.of for one in told.places if one.of.sort in OPENED and one.of not in acted]
+    if not recent and not named:  # "walk in front of the fridge and open it"
+        named = [one.of for one in told.as_named("beside") if one.of.sort in OPENED]
+    acted_on = [ObjectOf(one.task) for one in recent]
+    meant: list[Nominal | ObjectOf] = [*acted_on, *dict.fromkeys(named)]
+    if len(meant) != 1:
+        raise ask("what does 'it' stand for?")
+    return meant[0]
 
-    def _same_it(self, task: int) -> ObjectOf:
-        """What "it" is beside two things of one clause: "put the bottle next to it and the can behind it".
 
-        Raises:
-            UnresolvedError: Two different things.
-        """
-        clause, before = self._it_beside or (-1, task)
-        named_then = any(one.task == task and one.clause == clause for one in self._entities)
-        if before != task and (clause == self._clause or named_then):
-            raise ask("what does 'it' stand for?")
-        self._it_beside = (self._clause, task)
-        return ObjectOf(task)
+def several(told: Discourse, of: Nominal, action: str) -> list[int]:
+    """The tasks of the things that "them" stands for."""
+    recent = told.recent((*THINGS, "animal"))
+    taken = not told.mentioned and all(one.of.is_single and one.task in told.held for one in told.things)
+    apart = len({one.clause for one in told.things}) == len({one.task for one in told.things})
+    if taken and apart and action in PUTS_DOWN:  # "take the cup. Take the plate. Put them on the table"
+        recent = list({one.task: one for one in told.things}.values())
+    is_one = len(recent) == 1 and recent[0].of.is_single
+    if not recent or is_one or any(one.of.sort == "animal" for one in recent):
+        raise ask("what does 'them' stand for?")
+    if of.said in listed("two") and [one.of.count for one in recent] not in ([1, 1], [2], ["both"]):
+        raise ask("which two are meant?")
+    return [one.task for one in recent]
 
-    def _only_one(self, thing: Nominal, action: str) -> None:
-        """Ask what "the first one" and "the other one" are of several things that were named.
 
-        Raises:
-            UnresolvedError: It may be one of them, or another.
-        """
-        kind = self._same_kind(thing).kind
-        same = {entity.task: entity for entity in self._entities if entity.of.kind == kind}
-        singles = [one for one in same.values() if not one.is_several]
-        if thing.ordinal == "other" and len(singles) > 1:
-            raise ask("which one is meant?")  # of the red cup and the blue cup
-        held = [one for one in same.values() if one.is_several and one.task in self._held]
-        if thing.ordinal in _COUNTED and held:
-            raise ask("which of those in the hand is meant?")  # "take both cups, put the first one down"
-        if thing.ordinal in _COUNTED and any(self._was_search_for_several(task) for task in same):
-            raise ask("which of those that are found is meant?")
-        if not thing.anaphoric:
-            return
-        if kind is None and thing.ordinal == "other":
-            raise ask("other than what? nothing was named before" if thing.said else "another what?")
-        if kind is None and thing.ordinal == "last":
-            raise ask("the last one of what? nothing was named before")
-        if thing.ordinal in _COUNTED and any(one.of.ordinal not in _COUNTED for one in singles):
-            raise ask(f"the {thing.ordinal} that was named, or from the left?")
-        before = [one for one in same.values() if one.clause != self._clause and one.task in self._held]
-        if action == "pick" and any(one.is_several for one in before):
-            raise ask("one of those in the hand, or another?")
-
-    def _only_kind(self, named: Iterable[Nominal]) -> None:
-        """Ask when "the blue one" may be of another kind than what is handled: "the bottle on the right one".
-
-        Raises:
-            UnresolvedError: It may.
-        """
-        kinds = dict.fromkeys(one.kind for one in (*([self._kind] if self._kind else []), *named) if one.kind)
-        if len(kinds) > 1:
-            raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
-
-    def _not_of_what_is_put(self, place: Nominal, root: int) -> None:
-        """Ask what "the left one" is that a can is put onto, if nothing but that very can was named.
-
-        "The red box on the blue one" is on a box: its colour tells that box from the other.
-
-        Raises:
-            UnresolvedError: It may be anything.
-        """
-        handled = self._kind
-        is_put = root == len(self._commands) or any(
-            one.task == root and handled is not None and one.of.kind == handled.kind for one in self._entities
-        )
-        told = [slot for slot in _CONTRASTED if getattr(place, slot) is not None]
-        if is_put and handled is not None and all(getattr(handled, slot) is None for slot in told):
-            raise ask("which one is meant?")
-
-    def _only_contrast(self, other: Nominal) -> None:
-        """Ask when "the blue one" beside something may be of a kind that was named just before.
-
-        "The red cup next to the blue one" is next to a blue cup; "pick up the red cup and put the bottle next
-        to the blue one" may be next to either.
-
-        Raises:
-            UnresolvedError: It may.
-        """
-        handled = self._kind
-        if handled is None:
-            return
-        told = [slot for slot in _CONTRASTED if getattr(other, slot) is not None]
-        lately = [
-            one.of for one in self._entities if one.clause >= self._clause - 1 and one.of.sort == "thing"
+def said_again(told: Discourse, of: Nominal) -> Nominal | ObjectOf | None:
+    """What a noun is said of again, with less than before: "the drawer" after "the left drawer"."""
+    pointed = of.whose in listed("pointing")
+    if of.kind is None or not (pointed or may_be_said_again(of)):
+        return None
+    people = told.people if of.sort == "person" else ()
+    named = [*told.things, *told.places, *told.mentioned, *people]
+    before = named if pointed else [one for one in named if one.clause < told.clause or one.of.is_person]
+    kinds = {one.of.sort for one in before}
+    if not pointed and any(one.of == of for one in before):
+        return None
+    if of.kind in listed("door") and "container" in kinds:
+        return None  # it may be that of the container
+    held = told.held
+    if pointed:
+        found = [one for one in before if one.of.kind == of.kind]
+    else:
+        found = [
+            one for one in before if says_more(one.of, of) or (one.task in held and _is_compound(one.of, of))
         ]
-        named = [one for one in lately if one.kind != handled.kind]
-        if any(getattr(handled, slot) is not None for slot in told):
-            named = [one for one in named if any(getattr(one, slot) is not None for slot in told)]
-        self._only_kind(named)
+        found = [one for one in found if of.is_single or (one.role == "object" and not one.of.is_single)]
+    in_the_hand = {one.task: one for one in found if one.role == "object" and one.task in held}
+    if len(in_the_hand) == 1 and all(one.role == "object" for one in found) and not pointed:
+        found = list(in_the_hand.values())
+    meant = {one.of: ObjectOf(one.task) if one.role == "object" else one.of for one in reversed(found)}
+    doubt = any(one.clause == told.clause or one.of.whose for one in found) if pointed else False
+    if len(meant) > 1 or doubt or (of.is_single and any(not one.is_single for one in meant)):
+        raise ask(f"which {of.kind} is meant?")
+    return next(iter(meant.values()), None)
+
+
+def may_be_said_again(of: Nominal) -> bool:
+    """Whether it is "the cup", and neither "a cup", "my cup" nor "three cups"."""
+    definite = of.determined or (of.is_single and not of.mass)
+    plain = not (of.reference or of.anaphoric or of.indefinite or of.whose or of.counted)
+    return plain and definite and of.ordinal != "other" and of.owner is None
+
+
+def says_more(before: Nominal, of: Nominal) -> bool:
+    """Whether what was named before is the same in more words: "the red cup"."""
+    if before.kind is None or (of.kind is not None and before.kind != of.kind):
+        return False
+    said, less = told_of(before), told_of(of)
+    if any(said.get(name) != value for name, value in less.items()):
+        return False
+    return len(said) > len(less) or (not before.is_single and before.count != "all")
+
+
+def told_of(of: Nominal) -> dict[str, Any]:
+    """What a noun tells of a thing, as the slots of its description."""
+    told = {name: getattr(of, name) for name in _TOLD}
+    return {name: value for name, value in told.items() if value not in (None, ())}
+
+
+def _is_compound(before: Nominal, of: Nominal) -> bool:
+    """Whether the word is the last one of what is in the hand: "cranberry juice", "juice"."""
+    if before.sort != "thing" or before.kind == of.kind or not of.is_plain:
+        return False
+    return any(said.endswith(f" {of.kind}") for said in (before.kind or "", before.said))
+
+
+def in_hand(told: Discourse, of: Nominal, source: Nominal | None = None) -> ObjectOf | None:
+    """What a task before picks up that is described in the very same words, or None."""
+    of = told.same_kind(of)
+    fitting = {
+        one.task
+        for one in told.things
+        if one.task in told.held
+        and one.of == replace(of, anaphoric=one.of.anaphoric)
+        and source in (None, told.source_of(one.task))
+    }
+    elsewhere = source is None and of.indefinite and any(told.source_of(task) for task in fitting)
+    if len(fitting) > 1 or elsewhere:
+        raise ask(f"which {of.kind or 'one'} is meant?")
+    return ObjectOf(fitting.pop()) if fitting else None
+
+
+def of_one_kind(told: Discourse, *named: Nominal) -> None:
+    """Ask where "the blue one" may be of another kind than what is handled."""
+    kinds = dict.fromkeys(one.kind for one in (told.kind, *named) if one is not None and one.kind)
+    if len(kinds) > 1:
+        raise ask("which one is meant?", [f"the {kind}" for kind in kinds])
+
+
+def door_of(told: Discourse, of: Nominal, action: str) -> Nominal | ObjectOf:
+    """The container whose door "the door" is: that of the fridge after "put the milk in the fridge"."""
+    plain = of.is_plain and of.is_single and not (of.indefinite or of.whose or of.owner or of.anaphoric)
+    if of.kind not in listed("door") or not plain:
+        return of
+    lately = [one.of for one in told.places if one.clause == told.clause - 1]
+    doors = listed("with_a_door")
+    if action == "open":
+        reached = told.last_action == "walk_to" and lately and lately[-1].kind in doors
+        return lately[-1] if reached else of
+    here = any(one.clause == told.clause for one in told.places)
+    if here or any(one.sort == "door" for one in lately):
+        return of  # "close the fridge and the door"
+    standing = {one: task for one, task in told.standing_open().items() if one.kind in doors}
+    near = list(dict.fromkeys((*(one for one in lately if one.kind in doors), *standing)))
+    left = told.actions(standing.get(near[0], 0) if near else 0) & LEAVES
+    if not any(one.of.kind in doors for one in told.places) or (left and not near):
+        return of
+    doubt = "close" in told.actions() or (left and near[0] not in lately)
+    if len(near) != 1 or doubt or any(one.of.kind in listed("door") for one in told.things):
+        raise ask("which door?", [f"the door of the {one.kind}" for one in near])
+    return ObjectOf(standing[near[0]]) if near[0] in standing else near[0]

@@ -1,16 +1,34 @@
-"""What was named so far in a sentence, and what is held, given and put down by its tasks."""
+"""What a sentence has named and done up to some word: a frozen value, which each task returns anew."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
-from executive.language.phrases.values import Draft, Mention, Nominal, Trouble
+from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
 from executive.meaning import Command
-from trees.tasks import FindTask
 
-_NAMED = ("thing", "furniture", "container")
+Role = Literal[
+    "object", "goal", "by", "again", "source", "taken", "walk", "beside", "person", "found", "quoted", "about"
+]
+"""What something was named as.
+
+A task is done to its "object"; things go to a "goal" or "by" something, and come from a "source". What a task
+before acts on already is named "again", or "taken" from. The robot walks to a "walk"; what is "beside"
+something tells where that is. A "person" is met, or "found" at a place; who is "quoted" is named in words to
+say, and what is "about" in a statement.
+"""
+
+THINGS = frozenset({"thing", "any"})
+PUTS_DOWN = frozenset({"place", "put_in", "hand_over"})
+MOVES = frozenset({"pick", *PUTS_DOWN})
+LEAVES = frozenset({"walk_to", "move", "go_home", "follow", "guide"})
+"""Tasks after which the robot is elsewhere."""
+
+_PLACES = frozenset({"furniture", "container", "door", "room"})
+_PEOPLE = frozenset({"person", "name"})
+_TOLD_APART = frozenset({"thing", "furniture", "container"})
 
 
 class UnresolvedError(Exception):
@@ -26,138 +44,187 @@ def ask(message: str, choices: Iterable[str] = ()) -> UnresolvedError:
     return UnresolvedError(Trouble(message, asks=True, choices=tuple(choices)))
 
 
-@dataclass(frozen=True, slots=True)
-class Entity:
-    """Something that a task acts on; ``clause`` counts the clauses."""
+def is_them(value: Any) -> bool:
+    """Whether it says "them", which may be one person of whom no more is known."""
+    return isinstance(value, Nominal) and value.reference == "them"
 
-    task: int
-    clause: int
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Something that was named: as what, in which clause, and for which task."""
+
     of: Nominal
+    role: Role
+    clause: int
+    task: int
 
     @property
     def is_several(self) -> bool:
         """Whether nobody would call it "it": "the cups", "both cups", but not "the scissors", "all fruit"."""
-        if self.of.mass and self.of.count == "all":
-            return False
-        return self.of.count != 1 or (self.of.plural and not self.of.paired)
+        all_of_it = self.of.mass and self.of.count == "all"
+        return not all_of_it and (self.of.count != 1 or (self.of.plural and not self.of.paired))
 
 
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A task that was ordered, how it was said, and the task that first acts on the same thing."""
+
+    command: Command
+    said: Draft
+    root: int
+    clause: int
+
+
+@dataclass(frozen=True, slots=True)
 class Discourse:
-    """What a sentence has named and done up to some word."""
+    """What was named and ordered so far.
 
-    def __init__(self) -> None:
-        self._commands: list[Command] = []
-        self._did: list[tuple[Draft, int]] = []
-        self._entities: list[Entity] = []
-        self._places: list[Nominal] = []
-        self._named_in: list[tuple[int, Nominal]] = []
-        self._beside_places: list[Nominal] = []
-        self._walks: list[Nominal] = []
-        self._walked_together: tuple[Nominal, ...] = ()
-        self._thing_walked_to: Nominal | None = None
-        self._people: list[Nominal] = []
-        self._people_named_in: dict[Nominal, int] = {}
-        self._sources: dict[int, Nominal] = {}
-        self._held: list[int] = []
-        self._given: set[int] = set()
-        self._unsaid_giving: tuple[int, int] | None = None
-        self._mentioned: list[Nominal] = []
-        self._mentioned_in: list[tuple[int, Nominal]] = []
-        self._put_to: tuple[int, Nominal] | None = None
-        self._kind: Nominal | None = None
-        self._mention: Mention | None = None
-        self._stated_at: Nominal | None = None
-        self._it_beside: tuple[int, int] | None = None
-        self._called: dict[str, str] = {}
-        self._whose: dict[Nominal, str] = {}
-        self._placed: dict[int, tuple[str, Any, Any]] = {}
-        self._said_before: tuple[Nominal, ...] = ()
-        self._said_first = False
-        self._said_late: set[int] = set()
-        self._stated: list[Nominal] = []
-        self._stated_to_go: dict[int, int] = {}
-        self._clause = 0
-        self._remembers = False
+    Attributes:
+        steps: The tasks, in order.
+        named: What was named, in order.
+        clause: Which clause is read.
+        kind: What was handled last, of whose kind "the blue one" is.
+        ahead: What another clause names that is said before this one and done after it.
+        backwards: Whether this clause is said before what is done first.
+        remembers: Whether "back" may be where a thing was before it was picked up, wherever that was.
+    """
 
-    def _again(self, root: int) -> None:
-        entity = next((one for one in self._entities if one.task == root), None)
-        if entity is not None:
-            self._entities.append(replace(entity, clause=self._clause))
+    steps: tuple[Step, ...] = ()
+    named: tuple[Named, ...] = ()
+    clause: int = 0
+    kind: Nominal | None = None
+    ahead: tuple[Nominal, ...] = ()
+    backwards: bool = False
+    remembers: bool = False
 
-    def _recent(self, fits: Any, excluded: int | None = None) -> list[Entity]:
-        """What fits among the things of the latest clause that has any."""
-        fitting = [entity for entity in self._entities if fits(entity) and entity.task != excluded]
-        if not fitting:
-            return []
-        latest = max(entity.clause for entity in fitting)
-        unique = {entity.task: entity for entity in fitting if entity.clause == latest}
-        return list(unique.values())
+    @property
+    def last_action(self) -> str:
+        """The action of the task before, or nothing."""
+        return self.steps[-1].command.action if self.steps else ""
 
-    def _same_kind(self, nominal: Nominal) -> Nominal:
-        """With the kind of what was named before, for "the blue one"."""
-        if not nominal.anaphoric:
-            return nominal
-        if self._kind is None and (self._places or self._people):
+    def actions(self, since: int = 0) -> frozenset[str]:
+        """The actions of a task and those after it."""
+        return frozenset(step.command.action for step in self.steps[since:])
+
+    def moved(self, *actions: str) -> frozenset[int]:
+        """The first tasks of the things that were moved so last: put, taken or given away."""
+        last = {step.root: step.command.action for step in self.steps if step.command.action in MOVES}
+        return frozenset(root for root, action in last.items() if action in actions)
+
+    @property
+    def held(self) -> frozenset[int]:
+        """The first tasks of the things in the hands."""
+        return self.moved("pick")
+
+    def as_named(self, *roles: Role, sorts: Collection[str] = ()) -> tuple[Named, ...]:
+        """What was named so, of some sorts or of any."""
+        return tuple(one for one in self.named if one.role in roles and (not sorts or one.of.sort in sorts))
+
+    @property
+    def things(self) -> tuple[Named, ...]:
+        """What tasks act on, also those that act on it again."""
+        return self.as_named("object")
+
+    def recent(self, sorts: Collection[str] = (), but: int | None = None) -> list[Named]:
+        """The things of some sorts, or of any, in the latest clause that has any; not those of one task."""
+        fitting = [one for one in self.as_named("object", sorts=sorts) if one.task != but]
+        latest = max((one.clause for one in fitting), default=-1)
+        return list({one.task: one for one in fitting if one.clause == latest}.values())
+
+    @property
+    def places(self) -> tuple[Named, ...]:
+        """Furniture, containers, doors and rooms that are gone to, put to, taken from or spoken of."""
+        return self.as_named("object", "goal", "source", "walk", "about", sorts=_PLACES)
+
+    @property
+    def mentioned(self) -> tuple[Named, ...]:
+        """Things that nothing is done to: where others go, come from and are."""
+        return self.as_named("goal", "by", "source", "walk", "beside", sorts=THINGS)
+
+    @property
+    def people(self) -> tuple[Named, ...]:
+        """Who was named; where somebody of a name was, does not tell who it is."""
+        people = self.as_named("goal", "source", "walk", "person", "found", "quoted", "about", sorts=_PEOPLE)
+        return tuple(
+            replace(one, of=replace(one.of, relation=None)) if one.of.sort == "name" else one
+            for one in people
+        )
+
+    @property
+    def walks(self) -> list[Nominal]:
+        """Where the robot walked to."""
+        return [one.of for one in self.as_named("walk")]
+
+    def source_of(self, root: int) -> Nominal | None:
+        """Where a thing was taken from."""
+        sources = [one.of for one in self.as_named("source", "taken") if one.task == root]
+        return sources[-1] if sources else None
+
+    def standing_open(self) -> dict[Nominal, int]:
+        """What was opened and not closed since, by the task that opened it."""
+        found: dict[Nominal, int] = {}
+        for index, step in enumerate(self.steps):
+            for one in self.things:
+                if one.task == step.root and step.command.action == "close":
+                    found.pop(one.of, None)
+                elif one.task == step.root and step.command.action == "open":
+                    found[one.of] = index
+        return found
+
+    def same_kind(self, of: Nominal) -> Nominal:
+        """With the kind of what was handled before, for "the blue one"."""
+        if not of.anaphoric:
+            return of
+        if self.kind is None and (self.places or self.people):
             raise ask("which one is meant?")  # "point at the table and at the white one"
-        if self._kind is None:
-            return nominal
-        return replace(nominal, kind=self._kind.kind, sort=self._kind.sort)
+        return of if self.kind is None else replace(of, kind=self.kind.kind, sort=self.kind.sort)
 
-    def _note_name(self, nominal: Nominal) -> None:
-        """Ask when two words that mean the same are used as if they told things apart: "the cube", "the box".
+    def naming(self, of: Any, role: Role, task: int | None = None) -> Discourse:
+        """With something named, to whom it belongs and where it is.
+
+        Args:
+            of: What was named; anything but a noun and a relation to one changes nothing.
+            role: As what.
+            task: The task that first acts on the same thing; the next one by default.
 
         Raises:
-            UnresolvedError: They are.
+            UnresolvedError: It is called as something else was before: "the blocks", "the box".
         """
-        if nominal.kind is None or nominal.anaphoric or nominal.sort not in _NAMED or not nominal.said:
-            return
-        if nominal.whose:
-            whose = self._whose.setdefault(nominal, nominal.whose)
-            if whose != nominal.whose:
-                raise ask(f"'{whose} {nominal.said}' and '{nominal.whose} {nominal.said}': which is which?")
-        before = self._called.setdefault(nominal.kind, nominal.said)
-        if not _is_one_name(before, nominal.said):
-            raise ask(f"{before!r} and {nominal.said!r} are both called {nominal.kind!r}: which is which?")
+        if isinstance(of, Relative):
+            return self.naming(of.to, role, task)
+        if not isinstance(of, Nominal) or (of.reference and role != "taken"):
+            return self
+        of = self.same_kind(of)
+        self._called_apart(of)
+        placed = of.kind is not None and of.relation is not None and not of.is_place
+        named = Named(of, role, self.clause, len(self.steps) if task is None else task)
+        told = replace(self, named=(*self.named, named), kind=of if placed else self.kind)
+        told = told if role == "about" else told.naming(of.owner, "about", task)
+        return told.naming(of.relation, "beside", task)
 
-    def _name_place(self, value: Any) -> None:
-        if isinstance(value, Nominal) and value.is_place and not value.reference:
-            self._places.append(value)
-            self._named_in.append((self._clause, value))
-        if isinstance(value, Nominal) and value.sort in ("person", "name") and not value.reference:
-            person = replace(value, relation=None) if value.sort == "name" else value
-            self._people.append(person)
-            self._people_named_in.setdefault(person, self._clause)
+    def acting_on(self, of: Nominal | None, root: int) -> Discourse:
+        """With the thing of a task, which is named anew, or which a task acted on before."""
+        if of is not None:
+            return replace(self.naming(of, "object"), kind=of if of.kind is not None else self.kind)
+        again = [replace(one, clause=self.clause) for one in self.things if one.task == root]
+        return replace(self, named=(*self.named, *again[:1]))
 
-    def _together(self, said: str) -> tuple[Nominal, ...]:
-        """All who were named, if "them" can be nobody else: in one breath, or two of whom it is "both".
+    def walking(self, to: Nominal | Relative | None) -> Discourse:
+        """With where the robot goes; a thing there is "it" when nothing was handled before."""
+        if isinstance(to, Relative):
+            return self.naming(to, "beside")
+        first = all(self.steps[one.task].command.action == "walk_to" for one in self.things)
+        is_it = to is not None and to.sort == "thing" and to.is_single and first
+        return (self.naming(to, "object") if is_it else self).naming(to, "walk")
 
-        Who was named in words to say, or told by where he was found, is not among them.
-        """
-        people = tuple(dict.fromkeys(self._people))
-        clauses = {self._people_named_in.get(one) for one in people}
-        alone = None not in clauses and len(people) > 1 and all(one.is_single for one in people)
-        together = len(people) == 2 if said == "both" else len(clauses) == 1
-        return people if alone and together else ()
-
-    def _was_search_for_several(self, task: int) -> bool:
-        """Whether a task only looks for several things, so that none of them is chosen by it."""
-        command = self._commands[task]
-        return isinstance(command, FindTask) and command.count != 1
-
-    def _is_several(self) -> bool:
-        """Whether some things were named that "them" may stand for."""
-        return any(not entity.of.is_single for entity in self._entities)
-
-
-def _is_one_name(first: str, second: str) -> bool:
-    """Whether two phrases are one word in two forms, or one is the other with more said: "kitchen table"."""
-    one, other = first.split(), second.split()
-    if set(one) <= set(other) or set(other) <= set(one):
-        return True
-    stem = min(len(first), len(second)) - 2
-    return first[: max(stem, 3)] == second[: max(stem, 3)]
-
-
-def is_them(value: Any) -> bool:
-    """Whether it says "them", which may be one person of whom no more is known."""
-    return isinstance(value, Nominal) and value.reference == "them"
+    def _called_apart(self, of: Nominal) -> None:
+        for one in self.named:
+            if one.of.kind != of.kind or of.sort not in _TOLD_APART or one.of.anaphoric or of.anaphoric:
+                continue
+            if of.is_place and one.clause != self.clause:
+                continue  # "go to the bin, ... throw it in the trash"
+            first, second = one.of.said, of.said
+            words, others = set(first.split()), set(second.split())
+            stem = max(min(len(first), len(second)) - 2, 3)
+            if not (words <= others or others <= words or first[:stem] == second[:stem]):
+                raise ask(f"{first!r} and {second!r} are both called {of.kind!r}: which is which?")

@@ -4,52 +4,47 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
-from executive.language.text.addresses import BESIDE, is_beside, is_whole
-from executive.language.text.colons import BEFORE_A_COLON
-from executive.language.text.contracted import uncontracted
-from executive.language.text.hesitations import SET_OFF, is_set_off, says_nothing
-from executive.language.text.piece import Piece
-from executive.language.text.titles import titled_names
-from executive.language.text.unlisted_names import IsMistyped, unlisted_names
-from executive.language.text.word import Word
+from executive.language.text.names import IsMistyped, titled_names, unlisted_names
+from executive.language.text.word import Piece, Word
 from executive.vocabulary import Vocabulary
 
 FILLER = "FILLER"
-MANNER = "manner"
-"""Meaning of those fillers that say how something is to be done."""
+ADDRESSED = "ADDRESSED"
+HESITATION = "HESITATION"
 
-AGAIN = "again"
-"""What is done again is done; said, it is a word like others: "see you again"."""
+TIME = "time"
+"""Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_MANNERS = frozenset({(FILLER, MANNER), ("OPENING", MANNER), ("BRIEFLY", "hurry")})
+_BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL = "beside", "again", "set_off", "before_all"
+"""Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
+you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all").
+"""
+
+_MANNERS = frozenset({(FILLER, "manner"), ("OPENING", "manner"), ("BRIEFLY", "hurry")})
+"""Words that say how something is to be done, which it always is."""
+
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
-_BEFORE_ALL = "before_all"
-"""Meaning of those words of order that name what is done later: "before doing anything else"."""
-
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", HESITATION, ADDRESSED, *_AT_FIRST})
 _NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
-"""Word classes with which that is said of some of it only: "before doing anything in the kitchen"."""
-
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", "HESITATION", "ADDRESSED", *_AT_FIRST})
-_BEFORE_A_NOUN = frozenset({"the", "a", "an", "my", "your", "our"})
-_COMPLETE = frozenset(
+_NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+_PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "HIM", "EVERYBODY", "US"})
+_COMPLETE = _NOUNS | frozenset(
     {
-        *("KIND", "KINDS", "SUBSTANCE", "PAIR", "THING", "THINGS", "ONE", "ONES", "FURNITURE", "FURNITURES"),
-        *("CONTAINER", "CONTAINERS", "DOOR", "DOORS", "ROOM", "PERSON", "PEOPLE", "NAME"),
-        *("IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "TENS"),
+        *("THING", "THINGS", "ONE", "ONES", "FURNITURES", "CONTAINERS", "DOOR", "DOORS", "PERSON", "PEOPLE"),
+        *("NAME", "IT", "THEM", "THIS", "HIM", "ME", "LEFT_RIGHT", "AMOUNT", "NUM", "TENS"),
     }
 )
 """Word classes after which a hesitation may introduce another wording of the same thing."""
-_NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
+
 _DESCRIBING = frozenset({"COLOR", "MATERIAL", "SIZE"})
 _REFUSED_VERBS = frozenset({"NO_SKILL", "HARM", "THROW", "ASK"})
-_HELPS_BODY = "HELPS_BODY"
 _ONLY_REFUSED = "NO_SKILL_OR_NOUN"
 """Word class of what is known as a verb only, at the beginning of a clause."""
-_NUMBERS = frozenset({"AMOUNT", "TENS"})
-_LISTING = frozenset({"and", "then", ",", "&", ";", "."})
-_NO_TERMINALS = frozenset({"KIN_TITLE", "KIN_TITLE_ALONE"})
+
+_LISTING = frozenset({"SEP", "AND", "PAUSE"})
+_SEPARATES = frozenset({"PAUSE", "SEP", "BEFORE", "AFTER", "AFTER_DOING"})
+_ENDS_A_SENTENCE = frozenset(".!?")
 _ENDS_TEXT = frozenset({"PAUSE", "SEP", "TO"})
 
 
@@ -69,212 +64,161 @@ class Lattice:
         vocabulary: Vocabulary,
         is_mistyped: IsMistyped = lambda _word: False,
     ) -> None:
-        self.plain = plain
-        self.pieces = pieces = list(uncontracted(pieces, vocabulary))
+        self.plain, self.pieces = plain, pieces
         size = len(pieces)
-        texts = _texts_of(pieces)
-        self._begins, self._ended = self._classes_at(texts, vocabulary)
+        texts = ["" if piece.quoted else piece.text for piece in pieces]
+        self._own = [self._read(start, texts, vocabulary) for start in range(size)]
+        self._begins: list[set[str]] = [set() for _ in range(size + 1)]
+        self._ended: list[set[str]] = [set() for _ in range(size + 1)]
+        self._note([word for words in self._own for word in words])
+        for found in (
+            unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped),
+            titled_names(pieces, plain, self._begins, self._ended, vocabulary),
+        ):
+            names = list(found)
+            self._note(names)
+            for name in names:
+                self._own[name.start].append(name)
+        self._nothing_said = self._before_any_content()
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
-        self._own: list[list[Word]] = [[] for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
         self._text_ends = [False] * size + [True]
-        self._nothing_said = self._before_any_content(texts, vocabulary)
-        self._formed: dict[int, list[Word]] = {}
-        for found in list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)):
-            self._add_name(*found, texts)
-        for found in list(titled_names(pieces, plain, self._begins, vocabulary)):
-            self._add_name(*found, texts)
         for start in range(size - 1, -1, -1):
-            self._read(start, texts, vocabulary)
+            self._place(start)
 
-    def _add_name(self, start: int, end: int, word_class: str, name: str, texts: Sequence[str]) -> None:
-        """Keep a name that is no phrase of the vocabulary."""
-        word = Word(word_class, name, start, end, " ".join(texts[start:end]))
-        self._formed.setdefault(start, []).append(word)
-        self._begins[start].add(word_class)
-        self._ended[end].add(word_class)
-
-    def _before_any_content(self, texts: Sequence[str], vocabulary: Vocabulary) -> list[bool]:
-        """For each place, whether only courtesies stand before it."""
-        reached = [True] + [False] * len(texts)
-        for start, piece in enumerate(self.pieces):
-            if reached[start] and piece.is_mark:
-                reached[start + 1] = True
-            elif reached[start]:
-                for length, reading in vocabulary.matches(texts, start):
-                    if reading.word_class in _PASSED_AT_FIRST:
-                        reached[start + length] = True
-        return reached
-
-    def _classes_at(
-        self, texts: Sequence[str], vocabulary: Vocabulary
-    ) -> tuple[list[set[str]], list[set[str]]]:
-        """For each place, of which classes a phrase begins there, and of which one ends there."""
-        begins: list[set[str]] = [set() for _ in range(len(texts) + 1)]
-        ends: list[set[str]] = [set() for _ in range(len(texts) + 1)]
-        for start in range(len(texts)):
-            for length, reading in vocabulary.matches(texts, start):
-                begins[start].add(reading.word_class)
-                ends[start + length].add(reading.word_class)
-        return begins, ends
-
-    def _is_passed_over(self, word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
-        """Whether a word says nothing where it stands.
-
-        After a thing "er" may correct what was said; "thank you" after "say" is what to say; a robot that
-        is addressed stands beside a mark or at the beginning, else it is a thing such as a toy robot.
-        """
-        if word.word_class == "ADDRESSED":
-            return self._is_address(word)
-        if word.word_class == FILLER:
-            return "SAY" not in self._ended[word.start] and not (
-                word.start > 0 and texts[word.start - 1] in _BEFORE_A_NOUN
-            )
-        if word.word_class in _AT_FIRST:
-            narrowed = word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS)
-            return self._nothing_said[word.start] and not narrowed
-        if word.word_class != "HESITATION":
-            return False
-        if word.meaning == SET_OFF and not is_set_off(word.start, word.end, self.pieces, self._ended):
-            return self._nothing_said[word.start]
-        before = word.start - 1
-        while before >= 0 and self.pieces[before].is_mark:
-            before -= 1
-        if before < 0 or self._nothing_said[word.start]:
-            return True
-        if self._says_how_much(word.end, texts, vocabulary) and texts[before] in ("left", "right"):
-            return True  # "turn left uh ninety degrees"
-        complete = self.pieces[before].is_number or any(
-            length == 1 and reading.word_class in _COMPLETE
-            for length, reading in vocabulary.matches(texts, before)
-        )
-        return not complete or says_nothing(word.start, word.end, self.pieces, self._begins, self._ended)
-
-    def _is_address(self, word: Word) -> bool:
-        """Whether the robot is addressed: at first, beside a mark, or at the end behind what is whole."""
-        if word.meaning == BESIDE and not self._nothing_said[word.start]:
-            return is_beside(
-                word.start,
-                word.end,
-                self.pieces,
-                self._begins,
-                self._ended,
-                sentence_ends=self.ends[word.end],
-            )
-        if self._nothing_said[word.start] or self.pieces[word.start - 1].is_mark:
-            return True
-        return self.ends[word.end] and is_whole(self._ended[word.start], word.meaning)
-
-    def _is_colon(self, position: int) -> bool:
-        return position + 1 < len(self.pieces) and self.pieces[position].text == ":"
-
-    def _says_how_much(self, position: int, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
-        """Whether a number stands at a place; "one" may stand for a thing."""
-        if position >= len(self.pieces) or texts[position] == "one":
-            return False
-        read = {reading.word_class for _, reading in vocabulary.matches(texts, position)}
-        return self.pieces[position].is_number or not read.isdisjoint(_NUMBERS)
-
-    @staticmethod
-    def _is_idiom(word: Word, texts: Sequence[str], vocabulary: Vocabulary) -> bool:
-        """Whether it means something else than its words: "take a photo", but not "take a photo frame"."""
-        return word.word_class == "IDIOM" and not any(
-            reading.word_class in _NOUNS and start + length > word.end
-            for start in range(word.start + 1, word.end)
-            for length, reading in vocabulary.matches(texts, start)
-        )
-
-    def _follows_a_noun(self, start: int) -> bool:
-        """Whether "and", "then" or a comma stands right before a place."""
-        return start > 0 and self.pieces[start - 1].text in _LISTING
-
-    def _read(self, start: int, texts: Sequence[str], vocabulary: Vocabulary) -> None:
+    def _read(self, start: int, texts: Sequence[str], vocabulary: Vocabulary) -> list[Word]:
+        """Every phrase that begins at a place, in all of its readings."""
         piece = self.pieces[start]
-        found = [
-            Word(
-                reading.word_class,
-                reading.meaning,
-                start,
-                start + length,
-                " ".join(texts[start : start + length]),
-            )
-            for length, reading in vocabulary.matches(texts, start)
-            if reading.word_class not in _NO_TERMINALS
-        ]
-        found += self._formed.get(start, ())
         if piece.quoted:
-            found = [Word("QUOTED", piece.text, start, start + 1)]
-        elif piece.is_mark:
+            return [Word("QUOTED", piece.text, start, start + 1)]
+        found = [
+            Word(one.word_class, one.meaning, start, start + length, " ".join(texts[start : start + length]))
+            for length, one in vocabulary.matches(texts, start)
+        ]
+        if piece.is_mark:
             found.append(Word("PAUSE", piece.text, start, start + 1))
         elif piece.is_number:
             found.append(Word("NUM", piece.text, start, start + 1))
-        at = self._words[start]
-        fillers = [word for word in found if self._is_passed_over(word, texts, vocabulary)]
-        compound = max((word.end for word in found if word.word_class in _NOUNS), default=0)
-        idiom = max((word.end for word in found if self._is_idiom(word, texts, vocabulary)), default=0)
-        begins = self._nothing_said[start] or self._follows_a_noun(start)
-        listed = begins and any(word.word_class in _REFUSED_VERBS for word in found)
-        paired = start > 0 and any(
-            start - 1 + length == start + 1 and length > 1 and reading.word_class == "PAIR"
-            for length, reading in vocabulary.matches(texts, start - 1)
-        )
-        body = max((word.end for word in found if word.word_class == _HELPS_BODY), default=0)
+        return found
+
+    def _note(self, words: Sequence[Word]) -> None:
+        for word in words:
+            self._begins[word.start].add(word.word_class)
+            self._ended[word.end].add(word.word_class)
+
+    def _before_any_content(self) -> list[bool]:
+        """For each place, whether only courtesies stand before it."""
+        reached = [True] + [False] * len(self.pieces)
+        for start, piece in enumerate(self.pieces):
+            for word in self._own[start] if reached[start] else ():
+                reached[word.end] |= piece.is_mark or word.word_class in _PASSED_AT_FIRST
+        return reached
+
+    def _place(self, start: int) -> None:
+        """Offer the words of a place to the grammar, and those behind a courtesy that begins there."""
+        found, at = self._own[start], self._words[start]
+        fillers = [word for word in found if self._is_passed_over(word)]
         for word in found:
             for index in range(start, word.end) if word.word_class != _ONLY_REFUSED else ():
                 self._covered[index] = True
-            if word.end < body and word.word_class == "OPENING":
-                continue  # "help me get up" asks for a hand, and "get" for nothing
-            if word.end < idiom:
-                continue  # "take a picture" takes no picture from the wall
-            if word.word_class in _DESCRIBING and word.end < compound:
-                continue  # "orange juice" is no juice that is orange
-            if paired and word.word_class == "KINDS" and word.end == start + 1:
-                continue  # "my glasses" are no drinking glasses
-            if listed and word.word_class in _NOUNS and word.end == start + 1:
-                continue  # "the cup and saw": a bare noun that is a verb as well may be one
-            if word.word_class in BEFORE_A_COLON and self._is_colon(word.end):
-                at.setdefault(word.word_class, []).append(replace(word, end=word.end + 1))
-            if word not in fillers:
+            if word not in fillers and not self._is_part_of_another(word):
                 at.setdefault(word.word_class, []).append(word)
-        self._own[start] = found
-        self.ends[start] = piece.is_mark and self.ends[start + 1]
-        self._text_ends[start] = piece.is_mark and self._text_ends[start + 1]
         passed = {word.end for word in fillers}
-        silent = {word.end for word in fillers if word.meaning != AGAIN and not self._is_last_word(word)}
-        if piece.text == ",":  # a courtesy between two commas
+        silent = {word.end for word in fillers if word.meaning != _AGAIN and not self._is_last_word(word)}
+        if self.pieces[start].text == ",":
             passed |= {
                 after
                 for word in self._own[start + 1]
-                if self._is_passed_over(word, texts, vocabulary)
+                if self._is_passed_over(word)
                 for after in self._after_commas(word)
             }
-        else:
-            passed |= {word.end + 1 for word in fillers if self._hesitates_before_comma(word)}
-        if start == 0 and piece.is_mark:
-            passed.add(start + 1)
+        mark = self.pieces[start].is_mark
+        if start == 0 and mark:
+            passed.add(1)
+        self.ends[start] = (mark and self.ends[start + 1]) or any(self.ends[after] for after in passed)
+        self._text_ends[start] = (mark and self._text_ends[start + 1]) or any(
+            self._text_ends[after] for after in passed & silent
+        )
         for after in passed:
-            self.ends[start] = self.ends[start] or self.ends[after]
-            if after in silent:
-                self._text_ends[start] = self._text_ends[start] or self._text_ends[after]
             for name, words in self._words[after].items():
                 known = at.setdefault(name, [])
                 known.extend(word for word in words if word not in known)
 
+    def _is_passed_over(self, word: Word) -> bool:
+        """Whether a word says nothing where it stands.
+
+        "Thank you" after "say" is what to say; a robot that is addressed stands beside a mark or at the
+        beginning, else it is a thing such as a toy robot; after a thing "er" may correct what was said.
+        """
+        before = self._ended[word.start]
+        if word.word_class == FILLER:
+            a_noun_follows = "DET" in before and before.isdisjoint(("THIS", "THEM"))
+            return "SAY" not in before and not a_noun_follows
+        first = self._nothing_said[word.start]
+        if word.word_class == ADDRESSED:
+            return first or (self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before)
+        if word.word_class in _AT_FIRST:
+            return first and not (word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS))
+        if word.word_class != HESITATION or first or word.meaning == _SET_OFF:
+            return word.word_class == HESITATION and first
+        end, after = word.start, word.end
+        while end > 0 and self.pieces[end - 1].is_mark:
+            end -= 1
+        while after < len(self.pieces) and self.pieces[after].is_mark:
+            after += 1
+        goes_on = not self._begins[after].isdisjoint(("SEP", "AND"))  # "the cup, um, and the bowl"
+        return goes_on or self._ended[end].isdisjoint(_COMPLETE)
+
+    def _is_beside(self, word: Word) -> bool:
+        """Whether somebody is addressed who may be meant: "come here, my friend", not "Ana, my friend"."""
+        before = self.pieces[word.start - 1].text == "," and self._ended[word.start - 1].isdisjoint(_PEOPLE)
+        told = any("SAY" in classes or "TELL" in classes for classes in self._begins[: word.start])
+        last = self.ends[word.end] or self.pieces[word.end].text in _ENDS_A_SENTENCE
+        return before and last and not told
+
+    def _is_part_of_another(self, word: Word) -> bool:
+        """Whether a word is none by itself, because more words mean something together, or it is a verb.
+
+        "Orange juice" is no juice that is orange, "take a picture" takes none from the wall, "my glasses" are
+        no drinking glasses, and in "the cup and saw" the bare noun that is a verb as well may be one.
+        """
+        start, found = word.start, self._own[word.start]
+        if word.word_class == "KIN_TITLE":
+            return True
+        if word.word_class in _DESCRIBING:
+            return any(one.word_class in _NOUNS and one.end > word.end for one in found)
+        if any(
+            one.word_class == "IDIOM" and one.end > word.end and not self._holds_more(one) for one in found
+        ):
+            return True
+        if word.end > start + 1 or word.word_class not in _NOUNS:
+            return False
+        listed = self._nothing_said[start] or not self._ended[start].isdisjoint(_LISTING)
+        verb = listed and any(one.word_class in _REFUSED_VERBS for one in found)
+        pair = start > 0 and any(
+            one.word_class == "PAIR" and one.end == word.end for one in self._own[start - 1]
+        )
+        return verb or (pair and word.word_class == "KINDS")
+
+    def _holds_more(self, idiom: Word) -> bool:
+        """Whether a noun within an idiom goes on behind it: "take a photo frame"."""
+        return any(
+            word.word_class in _NOUNS and word.end > idiom.end
+            for start in range(idiom.start + 1, idiom.end)
+            for word in self._own[start]
+        )
+
     def _is_last_word(self, word: Word) -> bool:
         """Whether it addresses somebody at the end, where it may as well be one of the words to say."""
-        begins = word.start == 0 or (word.meaning != BESIDE and self.pieces[word.start - 1].is_mark)
-        return word.word_class == "ADDRESSED" and not begins and not self._nothing_said[word.start]
-
-    def _hesitates_before_comma(self, word: Word) -> bool:
-        comma = word.end < len(self.pieces) and self.pieces[word.end].text == ","
-        return comma and word.word_class == "HESITATION"
+        begins = word.start == 0 or (word.meaning != _BESIDE and self.pieces[word.start - 1].is_mark)
+        return word.word_class == ADDRESSED and not begins and not self._nothing_said[word.start]
 
     def _after_commas(self, word: Word) -> list[int]:
         """Where a sentence goes on after a courtesy behind a comma; a hesitation needs none behind it."""
         closed = word.end < len(self.pieces) and self.pieces[word.end].text == ","
         after = [word.end + 1] if closed else []
-        return [*after, word.end] if word.word_class == "HESITATION" else after
+        return [*after, word.end] if word.word_class == HESITATION else after
 
     def classes(self, position: int) -> dict[str, list[Word]]:
         """The words that begin at a place, by word class."""
@@ -304,16 +248,6 @@ class Lattice:
         """Whether a phrase of one of some classes begins at a place."""
         return not self._begins[position].isdisjoint(classes)
 
-    @property
-    def begun(self) -> Sequence[AbstractSet[str]]:
-        """For each place, of which classes a phrase begins there."""
-        return self._begins
-
-    @property
-    def nothing_said(self) -> Sequence[bool]:
-        """For each place, whether only courtesies stand before it."""
-        return self._nothing_said
-
     def manners(self) -> tuple[str, ...]:
         """Words that say how, and are passed over because it is always done like that."""
         found: dict[str, None] = {}
@@ -328,13 +262,45 @@ class Lattice:
 
     def unknown(self) -> int | None:
         """The first piece that belongs to no phrase."""
-        return next((index for index, covered in enumerate(self._covered) if not covered), None)
+        return next((at for at, covered in enumerate(self._covered) if not covered), None)
 
     def unknown_pieces(self) -> list[Piece]:
         """All pieces that belong to no phrase."""
-        return [piece for piece, covered in zip(self.pieces, self._covered, strict=True) if not covered]
+        return [self.pieces[at] for at, covered in enumerate(self._covered) if not covered]
 
-    def text_may_end(self, end: int) -> bool:
+    def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
+        """What may be words to say: from a place up to each separator, and to the end.
+
+        Args:
+            start: The place.
+            commands: Word classes that a command begins with. What was ``said`` of a text that goes on
+                after a separator with one of them is that separator: it may be a command of its own. So is
+                a dictated mark ("hello period"). Of a text that a time follows it is ``TIME``.
+        """
+        if start >= len(self.pieces) or self.pieces[start].is_mark:
+            return []
+        open_at, by = self._may_end_before(start, commands)
+        ends = (end for end in range(start + 1, len(self.pieces) + 1) if self._text_may_end(end))
+        return [
+            Word("TEXT", self.text(start, end), start, end, by if end > open_at else self._time_at(end))
+            for end in ends
+        ]
+
+    def _may_end_before(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
+        """The first place where words to say may end though they go on, and what is said there."""
+        for position in range(start + 1, len(self.pieces)):
+            for word in self._own[position]:
+                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self._words[word.end])
+                if follows or word.word_class == "SPOKEN_MARK":
+                    return position, word.said or self.pieces[position].text
+        return len(self.pieces), ""
+
+    def _time_at(self, position: int) -> str:
+        """``TIME`` where a time begins that may belong to the words before it."""
+        begins = self._own[position] if position < len(self.pieces) else ()
+        return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
+
+    def _text_may_end(self, end: int) -> bool:
         """Whether words to say may end at a place."""
         return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
 
@@ -343,8 +309,3 @@ class Lattice:
         while end > start + 1 and self.pieces[end - 1].is_mark:
             end -= 1
         return self.plain[self.pieces[start].start : self.pieces[end - 1].end] if end > start else ""
-
-
-def _texts_of(pieces: Sequence[Piece]) -> list[str]:
-    """What is looked up: nothing of a quotation."""
-    return [piece.text if not piece.quoted else "" for piece in pieces]

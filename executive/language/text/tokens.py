@@ -5,13 +5,13 @@ Everything is bounded: the length of the text, the number of its pieces, the cha
 
 from __future__ import annotations
 
-import difflib
 import re
 import unicodedata
 from collections.abc import Iterator
 
-from executive.language.text.piece import Piece
-from executive.vocabulary.written import BRIDGE_WORDS, split_words
+from executive.language.text.word import Piece
+from executive.vocabulary.inflection import forms
+from executive.vocabulary.written import split_words
 
 MAX_LENGTH = 500
 """Characters of one sentence: several times the longest that anybody says to a robot."""
@@ -30,7 +30,6 @@ _PLAIN = str.maketrans(
     }
 )
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
-_BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
 _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=[A-Z0-9])")
 """The end of a line without a mark, before one that begins as a sentence does."""
 
@@ -42,19 +41,6 @@ _NO_ZERO = re.compile(r"(?<![\w.,\"'])\.(?=\d)")
 
 _NOT = re.compile(r"(?<!\S)!(?=\w)")
 """A mark that denies what follows, as people write who program."""
-
-_CALL = re.compile(r"^[\W\d]*(?:\w+\.)*([^\W\d]\w*)\((?!s\)|\d+\))[^()]*\)")
-"""A call as programs write it, at the beginning of the text."""
-
-WRITTEN_OUT = {
-    "whats": "what's",
-    "wheres": "where's",
-    "theres": "there's",
-    "thats": "that's",
-    "im": "i'm",
-    "cant": "can't",
-}
-"""Words as they are typed in haste."""
 
 
 class MalformedTextError(Exception):
@@ -92,11 +78,6 @@ def normalise(text: str) -> str:
         plain = plain[1:-1].strip()
     if _NOT.search(_QUOTATION.sub(" ", plain)):
         raise MalformedTextError("'!' before a word may deny it; say only what to do", "!")
-    call = _CALL.match(plain)
-    if call is not None:
-        word = call.group(1)
-        told = "say it in words, or send JSON (docs/reference/model_output.schema.json)"
-        raise MalformedTextError(f"a call ({word}(...)) is no sentence; {told}", word)
     if not plain:
         raise MalformedTextError("the sentence is empty")
     if len(plain) > MAX_LENGTH:
@@ -110,21 +91,12 @@ def pieces_of(plain: str) -> list[Piece]:
     Raises:
         MalformedTextError: It has too many pieces.
     """
-    for token in _BRIDGE_LIKE.findall(_QUOTATION.sub(" ", plain)):
-        _refuse_malformed_bridge_word(token.lower())
     pieces = list(_pieces(plain))
     while pieces and pieces[-1].is_mark and not pieces[-1].quoted:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")
     return pieces
-
-
-def _refuse_malformed_bridge_word(token: str) -> None:
-    if token not in BRIDGE_WORDS:
-        close = difflib.get_close_matches(token, BRIDGE_WORDS, n=1, cutoff=0.8)
-        if close:
-            raise MalformedTextError(f"{token!r} is no bridge word; did you mean {close[0]!r}?", token)
 
 
 def _pieces(plain: str) -> Iterator[Piece]:
@@ -138,4 +110,4 @@ def _pieces(plain: str) -> Iterator[Piece]:
 
 def _words(plain: str, start: int, end: int) -> Iterator[Piece]:
     for text, first, last in split_words(plain[start:end]):
-        yield Piece(WRITTEN_OUT.get(text, text), start + first, start + last)
+        yield Piece(forms("typed").get(text, text), start + first, start + last)

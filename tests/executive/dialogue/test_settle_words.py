@@ -68,4 +68,4 @@ def test_a_question_that_is_expected_is_not_asked():
 
 @pytest.mark.requirement("L5")
 def test_what_is_no_skill_is_refused():
-    assert settled(said("follow me"), Person(), "ask", lambda _event: None).parsed.outcome == "refused"
+    assert settled(said("watch me"), Person(), "ask", lambda _event: None).parsed.outcome == "refused"

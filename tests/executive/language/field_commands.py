@@ -164,8 +164,26 @@ class Drawn:
         person, room = self._one(NAMES), self._one(ROOMS)
         return [
             (f"{self._one(GO)} the {room}", (("walk_to", room),)),
-            (f"{self._one(('greet', 'wave to'))} {person}", (("wave", person),)),
+            self._hello(person),
         ]
+
+    def _hello(self, person: str) -> Part:
+        if self._random.random() < 0.3:
+            return f"wave to {person}", (("wave", person),)
+        verb = self._one(("greet", "salute", "say hello to", "introduce yourself to"))
+        return f"{verb} {person}", (("greet", person),)
+
+    def _led(self) -> list[Part]:
+        person, room = self._one(NAMES), self._one(ROOMS)
+        action = self._one(("follow", "guide"))
+        verb = "follow" if action == "follow" else self._one(("guide", "escort", "take", "lead"))
+        return [(f"{verb} {person} from the {self._one(FURNITURE)} to the {room}", ((action, room),))]
+
+    def _answered(self) -> list[Part]:
+        person, room = self._one(NAMES), self._one(ROOMS)
+        told = self._one(("the time", "what day is today", "your teams name", "something about yourself"))
+        found = f"{self._one(FIND)} {person} in the {room}"
+        return [(found, (("find", person),)), (f"tell {told}", (("answer", ""),))]
 
     def _people_counted(self) -> list[Part]:
         return [(f"tell me how many people are in the {(room := self._one(ROOMS))}", (("count", room),))]
@@ -179,4 +197,4 @@ class Drawn:
             )
         ]
 
-    _of_people = (_met, _reached, _greeted, _people_counted, _served)
+    _of_people = (_met, _reached, _greeted, _people_counted, _served, _led, _answered)

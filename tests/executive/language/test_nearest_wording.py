@@ -70,7 +70,7 @@ def test_what_is_offered_means_something_and_not_the_opposite():
     ("said", "told"),
     [
         ("Thanks for closing the fridge", "said of what was done"),
-        ("drive to the kitchen at two meters per second", "exceeds the limit of 0.5 m/s"),
+        ("drive forward at two meters per second", "exceeds the limit of 0.5 m/s"),
         ("for each cup on the table, put it in the sink", "a loop"),
         ("every time Ana comes, wave", "a loop"),
         ("repeat: pick up the cup", "a loop"),

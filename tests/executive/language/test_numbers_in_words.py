@@ -33,7 +33,7 @@ def test_three_quarters_of_a_meter_are_75_cm():
 
 
 def test_a_distance_may_stand_before_its_direction():
-    assert tasks_of("walk 2 m forward and 1 m backward") == tasks_of("walk forward 2 m, walk backward 1 m")
+    assert tasks_of("walk 2 m forward") == tasks_of("walk forward 2 m") != []
 
 
 def test_the_smaller_unit_of_a_length_is_added():

@@ -54,12 +54,16 @@ class TestHeldAlready:
 
 
 class TestBeforeAList:
-    def test_all_of_a_list_that_ends_with_and_is_done_before(self):
-        said = tasks_of("before you go home, count the cups on the table, wave to Ana and close the drawer")
+    def test_what_and_joins_is_done_before(self):
+        said = tasks_of(
+            "before you go home, count the cups on the table and wave to Ana and close the drawer"
+        )
         assert [task["action"] for task in said] == ["count", "wave", "close", "go_home"]
 
-    def test_without_and_it_stays_open_what_is_done_before(self):
-        assert parse("before you go home, count the cups, wave to Ana, close the drawer").question is not None
+    @pytest.mark.parametrize("joined", [",", " and"])
+    def test_in_a_list_it_stays_open_what_is_done_before(self, joined):
+        said = f"before you go home, count the cups, wave to Ana{joined} close the drawer"
+        assert parse(said).question is not None
 
 
 class TestSaidInPassing:
@@ -74,7 +78,6 @@ class TestSaidInPassing:
         ("sentence", "plainly"),
         [
             ("I've lost my phone, please find it", "find my phone"),
-            ("you left the fridge open, close it", "close the fridge"),
             ("make sure the fridge is closed", "close the fridge"),
             ("count the cups and tell me how many there are", "count the cups"),
             ("whats on the table", "what's on the table"),
@@ -167,8 +170,8 @@ def test_after_that_she_may_be_either():
     assert parse("tell grandma that the doctor is here and wave to her").question is not None
 
 
-def test_an_article_holds_for_all_of_a_list_in_the_plural():
-    assert tasks_of("take the cups and saucers") == tasks_of("take the cups and the saucers")
+def test_how_many_are_meant_of_a_bare_plural_is_asked():
+    assert parse("take the cups and saucers").question.text == "how many of them?"
 
 
 def test_an_adjective_may_not():
@@ -212,13 +215,13 @@ def test_one_dice_is_no_heap_of_them():
 
 
 def test_steps_may_be_numbered_in_words():
-    assert tasks_of("First step: open the cupboard. Second step: wave.") == tasks_of(
+    assert tasks_of("Step one: open the cupboard. Step two: wave.") == tasks_of(
         "open the cupboard, then wave"
     )
 
 
 def test_steps_out_of_order_are_asked_about():
-    assert parse("Second step: open the cupboard. First step: wave.").question is not None
+    assert parse("Step two: open the cupboard. Step one: wave.").question is not None
 
 
 class TestWhoLostOrDroppedSomething:
@@ -280,7 +283,7 @@ def test_a_side_of_what_things_stand_on_is_a_part_of_it(at, flat):
 
 @pytest.mark.parametrize("sentence", ["wave to Ana together with Ben", "point at Ana along with Ben"])
 def test_who_is_named_as_company_may_be_who_acts_too(sentence):
-    assert parse(sentence).question is not None
+    assert parse(sentence).outcome != "tasks"
 
 
 class TestBringing:
@@ -352,9 +355,8 @@ class TestWhyItIsWanted:
 
 
 class TestHesitations:
-    def test_one_between_a_side_and_a_number_takes_nothing_back(self):
-        assert tasks_of("turn right uh ninety degrees") == tasks_of("turn right ninety degrees") != []
-
-    @pytest.mark.parametrize("sentence", ["turn left uh right", "take the box on the left uh one"])
+    @pytest.mark.parametrize(
+        "sentence", ["turn left uh right", "turn right uh ninety degrees", "take the box on the left uh one"]
+    )
     def test_one_that_may_take_something_back_is_refused(self, sentence):
         assert parse(sentence).refusal is not None

@@ -12,6 +12,7 @@ from executive.understanding.command_parser import parse
         "are you able to pick up the cup",
         "you may open the fridge",
         "the plan is to open the fridge",
+        "the task is to open the fridge",
         "I hope you can open the fridge",
         "Pick up the cup. Put the plate under it",
         "pick up the last one",
@@ -36,6 +37,9 @@ def test_what_may_be_no_order_is_asked(said):
         "did you open the fridge",
         "I was told to open the fridge",
         "wave wave to Ana",
+        "you see a cup on the table",
+        "look at Ana open the fridge",
+        "bring Ana the red cup, Tom can go to the bedroom",
         "should I open the fridge?",
     ],
 )

@@ -59,6 +59,15 @@ def test_what_may_be_either_is_asked(sentence):
     assert parse(sentence).to_json()["outcome"] == "question"
 
 
+@pytest.mark.parametrize("then", ["put it on the table", "bring it to Ana"])
+def test_what_was_handed_over_without_being_picked_up_is_given_away(then):
+    assert parse(f"pass the cup and {then}").question is not None
+
+
+def test_what_was_brought_to_nobody_is_put_where_it_is_said_to_go():
+    assert [one["action"] for one in _tasks("bring the cup and put it on the table")] == ["pick", "place"]
+
+
 def test_what_was_on_the_left_is_put_down_though_another_one_is_by_then():
     tasks = _tasks("take the cup on the left and the one on the right and put the left one in the sink")
 

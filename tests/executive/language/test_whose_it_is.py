@@ -29,24 +29,15 @@ def test_of_anybody_else_it_is_refused(sentence):
     assert refusal.word in ("his", "her")
 
 
-def test_the_glasses_of_somebody_are_those_to_see_with():
-    (task,) = tasks_of("hand Grandma her glasses")
-
-    assert task["object"]["kind"] == "glasses"
+def test_the_glasses_of_somebody_may_be_those_to_drink_from():
+    assert tasks_of("hand Grandma her glasses") == []
 
 
-@pytest.mark.parametrize("who", ["that Ana left", "which Ana has left", "Ana forgot", "that my son dropped"])
-def test_where_somebody_left_a_thing_is_where_it_is(who):
-    assert tasks_of(f"take the cup {who} on the table") == tasks_of("take the cup from the table")
-
-
-def test_who_put_a_thing_there_cannot_be_seen():
-    assert parse("take the cup that Ana put on the table").question is not None
-
-
-def test_who_left_a_thing_may_be_meant_after_it():
-    assert tasks_of("take the cup Ana left on the table and give it to her")[-1]["to"] == "Ana"
-    assert parse("give Ben the cup that Tom left on the table and wave to him").question is not None
+@pytest.mark.parametrize(
+    "who", ["that Ana left", "which Ana has left", "that Ana put", "that my son dropped"]
+)
+def test_who_put_a_thing_where_it_is_cannot_be_seen(who):
+    assert tasks_of(f"take the cup {who} on the table") == []
 
 
 @pytest.mark.parametrize("sentence", ["open the door of the fridge", "shut the door of the fridge"])
