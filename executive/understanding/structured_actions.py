@@ -75,6 +75,7 @@ class ObjectSlots(Strict):
     material: Word | None = None
     ordinal: Word | None = None
     relation: RelationSlots | None = None
+    traits: Annotated[list[Word], Field(max_length=5)] | None = None
 
     @model_validator(mode="after")
     def _says_something(self) -> Self:
@@ -144,9 +145,8 @@ def _plain(value: Any) -> Any:
         case RelationSlots():
             return Relation(value.kind, _plain(value.to))
         case ObjectSlots():
-            return ObjectDescription(
-                **{name: _plain(getattr(value, name)) for name in type(value).model_fields}
-            )
+            slots = {name: _plain(getattr(value, name)) for name in type(value).model_fields}
+            return ObjectDescription(**{**slots, "traits": tuple(value.traits or ())})
         case _:
             return value
 

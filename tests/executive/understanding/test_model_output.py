@@ -117,6 +117,14 @@ def test_a_structured_action_is_the_same_task_as_its_slots_say():
     assert command_json(step.content) == {key: LEFT_CUP[key] for key in LEFT_CUP if key != "confidence"}
 
 
+def test_people_are_told_by_what_is_seen_of_them():
+    person = {"kind": "person", "traits": ["sitting", "red shirt"]}
+    steps = [{"action": "walk_to", "to": person, "confidence": 0.9}]
+
+    [step] = read_model_output(json.dumps({"steps": steps}))
+    assert step.content.to == ObjectDescription("person", traits=("sitting", "red shirt"))
+
+
 def test_a_reference_and_a_stop_are_structured_too():
     steps = read_model_output(
         json.dumps(
