@@ -6,7 +6,7 @@ that the work grows with the length and not with the number of parses. Parses th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
@@ -26,9 +26,6 @@ _REFUSED_COMMANDS = frozenset(
 
 _PARTS = frozenset({"SEP", "AND", "BECAUSE", "BEFORE", "AFTER"})
 """Word classes that part a clause from what stands beside it."""
-
-_TOLD = frozenset({"command"})
-"""Rules whose words are those of a task."""
 
 Spans = dict[int, dict[Any, None]]
 
@@ -65,11 +62,6 @@ class Chart:
                 found.update(dict.fromkeys(values))
         return list(found)
 
-    @property
-    def expected(self) -> AbstractSet[str]:
-        """Word classes with which the grammar goes on where the sentence was followed furthest."""
-        return self.expected_at(self.furthest)
-
     def expected_at(self, position: int) -> AbstractSet[str]:
         """Word classes with which the grammar goes on at a place."""
         return self._expected.get(position, frozenset())
@@ -103,10 +95,6 @@ class Chart:
         """Word classes that begin a command."""
         return self._rules["command"].first
 
-    def begins_command(self, words: Iterable[Word]) -> bool:
-        """Whether one of some words can begin a command."""
-        return any(word.word_class in self.verbs for word in words)
-
     def _spans(self, name: str, start: int) -> Spans:
         known = self._known.get((name, start))
         if known is not None:
@@ -119,7 +107,7 @@ class Chart:
             for end, value in self._matches(rule, start):
                 if rule.closes and not self._lattice.ends[end]:
                     continue
-                if name in _TOLD and isinstance(value, Clause):
+                if name == "command" and isinstance(value, Clause):
                     value = replace(value, text=self._lattice.text(start, end))
                 spans.setdefault(end, {})[value] = None
         else:

@@ -25,7 +25,7 @@ _NAMED = frozenset({"thing", "container", "furniture", "door"})
 
 def what_is_missing(lattice: Lattice, chart: Chart) -> Question | None:
     """The question for what a sentence leaves out; None where it is whole, or more than that is wrong."""
-    if not lattice.pieces or len(lattice.pieces) > MAX_WORDS or lattice.unknown() is not None:
+    if not lattice.pieces or len(lattice.pieces) > MAX_WORDS or lattice.unknown():
         return None
     return _only_named(lattice, chart) or next(_questions(lattice, chart), None)
 

@@ -70,9 +70,11 @@ class Explainer:
         if forbidden is not None:
             inside = understood is not None and understood[0] <= forbidden.start < understood[1]
             return self._told(forbidden, "" if inside else part)
-        unknown = lattice.unknown()
+        unknown = next(iter(lattice.unknown()), None)
         if unknown is not None and (understood is None or unknown <= broken):
-            mended = self._mended(lattice, unknown, chart.expected if unknown == chart.furthest else None)
+            mended = self._mended(
+                lattice, unknown, chart.expected_at(unknown) if unknown == chart.furthest else None
+            )
             return self._at(lattice, unknown, f"{part}the word ", f" is not known{mended}")
         if understood is not None:
             rest = printable(_beside(lattice, *understood), _SHOWN_OF_A_PART)
@@ -114,8 +116,9 @@ class Explainer:
             yield from self._refused(lattice, classes, range(size))
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, size)):
             if begins_clause(lattice, start):
+                verbs = [one.end for one in lattice.phrase(start) if one.word_class in chart.verbs]
                 for done in self._refused(lattice, explanations()["beginning"], (start,)):
-                    if not chart.begins_command(one for one in lattice.phrase(start) if one.end >= done.end):
+                    if done.end > max(verbs, default=0):
                         yield done
 
     def _refused(self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int]) -> Iterator[Word]:
@@ -141,7 +144,7 @@ class Explainer:
             for one in meant_by(lattice.pieces[position].text, self._vocabulary.single_words)
             if expected is None or not self._begun([one]).isdisjoint(expected)
         ]
-        foreign = len(lattice.unknown_pieces()) * _KNOWN_WORDS > len(lattice.pieces)
+        foreign = len(lattice.unknown()) * _KNOWN_WORDS > len(lattice.pieces)
         return f"; did you mean {near[0]!r}?" if near and not foreign else ""
 
     def is_mistyped(self, word: str) -> bool:

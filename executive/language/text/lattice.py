@@ -16,13 +16,11 @@ HESITATION = "HESITATION"
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL = "beside", "again", "set_off", "before_all"
+_BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL, _MANNER = "beside", "again", "set_off", "before_all", "manner"
 """Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
-you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all").
+you again"), of what says something elsewhere ("do it well"), of what may be narrowed ("before all"), and of
+how something is to be done, which it always is.
 """
-
-_MANNERS = frozenset({(FILLER, "manner"), ("OPENING", "manner"), ("BRIEFLY", "hurry")})
-"""Words that say how something is to be done, which it always is."""
 
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", HESITATION, ADDRESSED, *_AT_FIRST})
@@ -188,9 +186,7 @@ class Lattice:
             return True
         if word.word_class in _DESCRIBING:
             return any(one.word_class in _NOUNS and one.end > word.end for one in found)
-        if any(
-            one.word_class == "IDIOM" and one.end > word.end and not self._holds_more(one) for one in found
-        ):
+        if any(one.word_class == "IDIOM" and one.end > word.end for one in found):
             return True
         if word.end > start + 1 or word.word_class not in _NOUNS:
             return False
@@ -200,14 +196,6 @@ class Lattice:
             one.word_class == "PAIR" and one.end == word.end for one in self._own[start - 1]
         )
         return verb or (pair and word.word_class == "KINDS")
-
-    def _holds_more(self, idiom: Word) -> bool:
-        """Whether a noun within an idiom goes on behind it: "take a photo frame"."""
-        return any(
-            word.word_class in _NOUNS and word.end > idiom.end
-            for start in range(idiom.start + 1, idiom.end)
-            for word in self._own[start]
-        )
 
     def _is_last_word(self, word: Word) -> bool:
         """Whether it addresses somebody at the end, where it may as well be one of the words to say."""
@@ -253,20 +241,16 @@ class Lattice:
         found: dict[str, None] = {}
         end = 0
         for start, words in enumerate(self._own):
-            said = [one for one in words if (one.word_class, one.meaning) in _MANNERS]
+            said = [one for one in words if (one.word_class, one.meaning) == (FILLER, _MANNER)]
             if said and start >= end:
                 longest = max(said, key=lambda one: one.end)
                 found[longest.said] = None
                 end = longest.end
         return tuple(found)
 
-    def unknown(self) -> int | None:
-        """The first piece that belongs to no phrase."""
-        return next((at for at, covered in enumerate(self._covered) if not covered), None)
-
-    def unknown_pieces(self) -> list[Piece]:
-        """All pieces that belong to no phrase."""
-        return [self.pieces[at] for at, covered in enumerate(self._covered) if not covered]
+    def unknown(self) -> list[int]:
+        """The pieces that belong to no phrase."""
+        return [at for at, covered in enumerate(self._covered) if not covered]
 
     def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
         """What may be words to say: from a place up to each separator, and to the end.
