@@ -14,7 +14,7 @@ from executive.language.explain.typos import is_slip, meant_by
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 from executive.meaning import Refusal
-from executive.vocabulary import Vocabulary
+from executive.vocabulary import Reading, Vocabulary
 from executive.vocabulary.written import split_words
 
 _SHOWN, _SHOWN_OF_A_PART = 40, 80
@@ -135,7 +135,7 @@ class Explainer:
         used: str | None = explanations()["messages"].get(word.word_class)
         if used is not None:
             return used.format(word=said)
-        return self._vocabulary.refusal_of(word.word_class, word.meaning, said)
+        return self._vocabulary.refusal(Reading(word.word_class, word.meaning), said)
 
     def _mended(self, lattice: Lattice, position: int, expected: AbstractSet[str] | None) -> str:
         """The known word that an unknown one may have been meant to be, as a question."""

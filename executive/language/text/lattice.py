@@ -16,15 +16,13 @@ HESITATION = "HESITATION"
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL, _MANNER = "beside", "again", "set_off", "before_all", "manner"
+_BESIDE, _AGAIN, _MANNER = "beside", "again", "manner"
 """Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
-you again"), of what says something elsewhere ("do it well"), of what may be narrowed ("before all"), and of
-how something is to be done, which it always is.
+you again"), and of how something is to be done, which it always is.
 """
 
 _AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
 _PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", HESITATION, ADDRESSED, *_AT_FIRST})
-_NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "HIM", "EVERYBODY", "US"})
 _COMPLETE = _NOUNS | frozenset(
@@ -157,9 +155,9 @@ class Lattice:
         if word.word_class == ADDRESSED:
             return first or (self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before)
         if word.word_class in _AT_FIRST:
-            return first and not (word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS))
-        if word.word_class != HESITATION or first or word.meaning == _SET_OFF:
-            return word.word_class == HESITATION and first
+            return first
+        if word.word_class != HESITATION or first:
+            return word.word_class == HESITATION
         end, after = word.start, word.end
         while end > 0 and self.pieces[end - 1].is_mark:
             end -= 1
