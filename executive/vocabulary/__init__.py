@@ -178,13 +178,11 @@ def load_vocabulary(user_files: Sequence[Path] = (), cache: Path | None = None) 
     rules = importlib.resources.files("executive.vocabulary").iterdir()
     made_by = [file for file in sorted(rules, key=str) if file.name.endswith((".py", ".toml"))]
     try:
-        files = [file.read_bytes() for file in (*made_by, *user_files)]
-        brought = [
-            f"{name} ".encode() + file.read_bytes() for name, file in outside_files(VOCABULARY).items()
-        ]
+        sources = [*(file.read_bytes() for file in (*made_by, *user_files)), b"brought"]
+        for name, file in outside_files(VOCABULARY).items():
+            sources.append(f"{name} ".encode() + file.read_bytes())
     except OSError:
         return Vocabulary.of(read_classes(user_files))
-    sources = [*files, b"brought", *brought]
     return Vocabulary(*kept(cache, "vocabulary", sources, lambda: _prepared(read_classes(user_files))))
 
 

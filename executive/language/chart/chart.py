@@ -85,10 +85,9 @@ class Chart:
         """Whether a clause may begin at a place, for what stands before it parts clauses."""
         if position >= len(self._lattice.pieces):
             return False
-        before = position > 0 and self._lattice.pieces[position - 1].is_mark
-        return (
-            before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
-        )
+        if position > 0 and self._lattice.pieces[position - 1].is_mark:
+            return True
+        return self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
 
     @property
     def verbs(self) -> AbstractSet[str]:
@@ -120,7 +119,7 @@ class Chart:
             node, position, parts = pending.pop()
             self._steps += 1
             if self._steps > MAX_STEPS:
-                raise TooTangledError
+                raise TooTangledError("the sentence can be read in too many ways")
             for function in node.functions:
                 value = parts if rule.repeats else self._value(function, parts)
                 if value is not None:

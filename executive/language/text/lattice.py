@@ -63,18 +63,13 @@ class Lattice:
         self.plain, self.pieces = plain, pieces
         size = len(pieces)
         texts = ["" if piece.quoted else piece.text for piece in pieces]
-        self._own = [self._read(start, texts, vocabulary) for start in range(size)]
+        self._own: list[list[Word]] = [[] for _ in range(size)]
         self._begins: list[set[str]] = [set() for _ in range(size + 1)]
         self._ended: list[set[str]] = [set() for _ in range(size + 1)]
-        self._note([word for words in self._own for word in words])
-        for found in (
-            unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped),
-            titled_names(pieces, plain, self._begins, self._ended, vocabulary),
-        ):
-            names = list(found)
-            self._note(names)
-            for name in names:
-                self._own[name.start].append(name)
+        for start in range(size):
+            self._note(self._read(start, texts, vocabulary))
+        self._note(list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)))
+        self._note(list(titled_names(pieces, plain, self._begins, self._ended, vocabulary)))
         self._nothing_said = self._before_any_content()
         self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._covered = [False] * size
@@ -100,6 +95,7 @@ class Lattice:
 
     def _note(self, words: Sequence[Word]) -> None:
         for word in words:
+            self._own[word.start].append(word)
             self._begins[word.start].add(word.word_class)
             self._ended[word.end].add(word.word_class)
 
@@ -123,12 +119,7 @@ class Lattice:
         passed = {word.end for word in fillers}
         silent = {word.end for word in fillers if word.meaning != _AGAIN and not self._is_last_word(word)}
         if self.pieces[start].text == ",":
-            passed |= {
-                after
-                for word in self._own[start + 1]
-                if self._is_passed_over(word)
-                for after in self._after_commas(word)
-            }
+            passed.update(*map(self._after_commas, filter(self._is_passed_over, self._own[start + 1])))
         mark = self.pieces[start].is_mark
         if start == 0 and mark:
             passed.add(1)
