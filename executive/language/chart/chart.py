@@ -101,7 +101,7 @@ class Chart:
         rule = self._rules[name]
         spans: Spans = {}
         self._known[name, start] = spans
-        classes = self._lattice.classes(start)
+        classes = self._lattice.words[start]
         if not rule.first.isdisjoint(classes) or "TEXT" in rule.first:
             for end, value in self._matches(rule, start):
                 if rule.closes and not self._lattice.ends[end]:
@@ -127,7 +127,7 @@ class Chart:
                 elif self._lattice.ends[position] and rule.name in self._rules["command"].root.rules:
                     self.unfit = self.unfit or len(parts) > 2 or any(map(_has_details, parts))
             self._missed(position, node.terminals)
-            classes = self._lattice.classes(position)
+            classes = self._lattice.words[position]
             for word_class, following in node.terminals.items():
                 words = self._words(word_class, position, classes)
                 pending += [(following, word.end, (*parts, word)) for word in words]

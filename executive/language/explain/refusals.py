@@ -116,7 +116,7 @@ class Explainer:
             yield from self._refused(lattice, classes, range(size))
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, size)):
             if begins_clause(lattice, start):
-                verbs = [one.end for one in lattice.phrase(start) if one.word_class in chart.verbs]
+                verbs = [one.end for one in lattice.phrases[start] if one.word_class in chart.verbs]
                 for done in self._refused(lattice, explanations()["beginning"], (start,)):
                     if done.end > max(verbs, default=0):
                         yield done
@@ -124,7 +124,7 @@ class Explainer:
     def _refused(self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int]) -> Iterator[Word]:
         """Words that are known and never acted on, of some classes, the longest of each place first."""
         for position in places:
-            words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
+            words = lattice.phrases[position] if 0 <= position < len(lattice.pieces) else ()
             for word in sorted(words, key=lambda one: -one.end):
                 if (only is None or word.word_class in only) and self._message(word) is not None:
                     yield word

@@ -50,6 +50,8 @@ class Lattice:
     Attributes:
         plain: The normalised text.
         pieces: Its pieces.
+        phrases: The words that begin exactly at each place.
+        words: Those that begin there or behind courtesies, by word class: what the grammar is offered.
         ends: Places after which nothing but courtesies and marks follow.
     """
 
@@ -63,7 +65,7 @@ class Lattice:
         self.plain, self.pieces = plain, pieces
         size = len(pieces)
         texts = ["" if piece.quoted else piece.text for piece in pieces]
-        self._own: list[list[Word]] = [[] for _ in range(size)]
+        self.phrases: list[list[Word]] = [[] for _ in range(size)]
         self._begins: list[set[str]] = [set() for _ in range(size + 1)]
         self._ended: list[set[str]] = [set() for _ in range(size + 1)]
         for start in range(size):
@@ -71,7 +73,7 @@ class Lattice:
         self._note(list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)))
         self._note(list(titled_names(pieces, plain, self._begins, self._ended, vocabulary)))
         self._nothing_said = self._before_any_content()
-        self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
+        self.words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
         self._text_ends = [False] * size + [True]
@@ -95,7 +97,7 @@ class Lattice:
 
     def _note(self, words: Sequence[Word]) -> None:
         for word in words:
-            self._own[word.start].append(word)
+            self.phrases[word.start].append(word)
             self._begins[word.start].add(word.word_class)
             self._ended[word.end].add(word.word_class)
 
@@ -103,13 +105,13 @@ class Lattice:
         """For each place, whether only courtesies stand before it."""
         reached = [True] + [False] * len(self.pieces)
         for start, piece in enumerate(self.pieces):
-            for word in self._own[start] if reached[start] else ():
+            for word in self.phrases[start] if reached[start] else ():
                 reached[word.end] |= piece.is_mark or word.word_class in _PASSED_AT_FIRST
         return reached
 
     def _place(self, start: int) -> None:
         """Offer the words of a place to the grammar, and those behind a courtesy that begins there."""
-        found, at = self._own[start], self._words[start]
+        found, at = self.phrases[start], self.words[start]
         fillers = [word for word in found if self._is_passed_over(word)]
         for word in found:
             for index in range(start, word.end) if word.word_class != _ONLY_REFUSED else ():
@@ -118,9 +120,9 @@ class Lattice:
                 at.setdefault(word.word_class, []).append(word)
         passed = {word.end for word in fillers}
         silent = {word.end for word in fillers if word.meaning != _AGAIN and not self._is_last_word(word)}
-        if self.pieces[start].text == ",":
-            passed.update(*map(self._after_commas, filter(self._is_passed_over, self._own[start + 1])))
         mark = self.pieces[start].is_mark
+        if mark and self.pieces[start].text == ",":
+            passed.update(*map(self._after_commas, filter(self._is_passed_over, self.phrases[start + 1])))
         if start == 0 and mark:
             passed.add(1)
         self.ends[start] = (mark and self.ends[start + 1]) or any(self.ends[after] for after in passed)
@@ -128,7 +130,7 @@ class Lattice:
             self._text_ends[after] for after in passed & silent
         )
         for after in passed:
-            for name, words in self._words[after].items():
+            for name, words in self.words[after].items():
                 known = at.setdefault(name, [])
                 known.extend(word for word in words if word not in known)
 
@@ -170,7 +172,7 @@ class Lattice:
         "Orange juice" is no juice that is orange, "take a picture" takes none from the wall, "my glasses" are
         no drinking glasses, and in "the cup and saw" the bare noun that is a verb as well may be one.
         """
-        start, found = word.start, self._own[word.start]
+        start, found = word.start, self.phrases[word.start]
         if word.word_class == "KIN_TITLE":
             return True
         if word.word_class in _DESCRIBING:
@@ -182,7 +184,7 @@ class Lattice:
         listed = self._nothing_said[start] or not self._ended[start].isdisjoint(_LISTING)
         verb = listed and any(one.word_class in _REFUSED_VERBS for one in found)
         pair = start > 0 and any(
-            one.word_class == "PAIR" and one.end == word.end for one in self._own[start - 1]
+            one.word_class == "PAIR" and one.end == word.end for one in self.phrases[start - 1]
         )
         return verb or (pair and word.word_class == "KINDS")
 
@@ -197,10 +199,6 @@ class Lattice:
         after = [word.end + 1] if closed else []
         return [*after, word.end] if word.word_class == HESITATION else after
 
-    def classes(self, position: int) -> dict[str, list[Word]]:
-        """The words that begin at a place, by word class."""
-        return self._words[position]
-
     @property
     def first_said(self) -> int:
         """Where what is said begins, behind courtesies; 0 where there is nothing else."""
@@ -212,10 +210,6 @@ class Lattice:
     def may_begin(self, position: int) -> bool:
         """Whether only courtesies stand before a place."""
         return self._nothing_said[position]
-
-    def phrase(self, position: int) -> Sequence[Word]:
-        """The words that begin exactly at a place."""
-        return self._own[position]
 
     def ends_with(self, position: int, classes: AbstractSet[str]) -> bool:
         """Whether a phrase of one of some classes ends at a place."""
@@ -229,7 +223,7 @@ class Lattice:
         """Words that say how, and are passed over because it is always done like that."""
         found: dict[str, None] = {}
         end = 0
-        for start, words in enumerate(self._own):
+        for start, words in enumerate(self.phrases):
             said = [one for one in words if (one.word_class, one.meaning) == (FILLER, _MANNER)]
             if said and start >= end:
                 longest = max(said, key=lambda one: one.end)
@@ -262,20 +256,20 @@ class Lattice:
     def _may_end_before(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
         """The first place where words to say may end though they go on, and what is said there."""
         for position in range(start + 1, len(self.pieces)):
-            for word in self._own[position]:
-                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self._words[word.end])
+            for word in self.phrases[position]:
+                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self.words[word.end])
                 if follows or word.word_class == "SPOKEN_MARK":
                     return position, word.said or self.pieces[position].text
         return len(self.pieces), ""
 
     def _time_at(self, position: int) -> str:
         """``TIME`` where a time begins that may belong to the words before it."""
-        begins = self._own[position] if position < len(self.pieces) else ()
+        begins = self.phrases[position] if position < len(self.pieces) else ()
         return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
 
     def _text_may_end(self, end: int) -> bool:
         """Whether words to say may end at a place."""
-        return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
+        return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self.phrases[end])
 
     def text(self, start: int, end: int) -> str:
         """The text of some pieces, as it was written."""
