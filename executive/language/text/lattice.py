@@ -21,8 +21,8 @@ _BESIDE, _AGAIN, _MANNER = "beside", "again", "manner"
 you again"), and of how something is to be done, which it always is.
 """
 
-_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", HESITATION, ADDRESSED, *_AT_FIRST})
+_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION", HESITATION, ADDRESSED})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", *_AT_FIRST})
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "HIM", "EVERYBODY", "US"})
 _COMPLETE = _NOUNS | frozenset(
@@ -144,13 +144,12 @@ class Lattice:
         if word.word_class == FILLER:
             a_noun_follows = "DET" in before and before.isdisjoint(("THIS", "THEM"))
             return "SAY" not in before and not a_noun_follows
-        first = self._nothing_said[word.start]
+        if self._nothing_said[word.start]:
+            return word.word_class in _AT_FIRST
         if word.word_class == ADDRESSED:
-            return first or (self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before)
-        if word.word_class in _AT_FIRST:
-            return first
-        if word.word_class != HESITATION or first:
-            return word.word_class == HESITATION
+            return self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before
+        if word.word_class != HESITATION:
+            return False
         end, after = word.start, word.end
         while end > 0 and self.pieces[end - 1].is_mark:
             end -= 1
