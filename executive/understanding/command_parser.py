@@ -99,14 +99,12 @@ class CommandParser:
         """Understand one text; a line that ends without a mark ends a sentence."""
         try:
             lattice = self._lattice(text)
+            chart = self._chart(lattice)
+            outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, examples()[0]))
-        chart = self._chart(lattice)
-        try:
-            outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
-        except TooTangledError:
-            message = "the sentence can be read in too many ways"
-            return Parsed(text, refusal=Refusal(message, None, examples()[0]))
+        except TooTangledError as tangled:
+            return Parsed(text, refusal=Refusal(str(tangled), None, examples()[0]))
         if not outcomes:
             missing = what_is_missing(lattice, chart)
             if missing is not None and not self._explainer.forbids(lattice, chart):

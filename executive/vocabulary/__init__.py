@@ -146,12 +146,9 @@ class Vocabulary:
 
     def refusal(self, reading: Reading, word: str) -> str | None:
         """Why a phrase in one of its readings is not acted on; None when the grammar uses its class."""
-        return self.refusal_of(reading.word_class, reading.meaning, word)
-
-    def refusal_of(self, class_name: str, meaning: str, word: str) -> str | None:
-        """Why a phrase of a class is not acted on; None when the grammar uses the class, or there is none."""
-        _, refusal, meanings, _ = self._heads.get(class_name, (class_name, None, {}, False))
-        return None if refusal is None else refusal.format(word=word, meaning=meanings.get(meaning, meaning))
+        _, refusal, meanings, _ = self._heads.get(reading.word_class, ("", None, {}, False))
+        meaning = meanings.get(reading.meaning, reading.meaning)
+        return None if refusal is None else refusal.format(word=word, meaning=meaning)
 
 
 def _line(phrase: str, word_class: str, meaning: str) -> str:
@@ -181,13 +178,11 @@ def load_vocabulary(user_files: Sequence[Path] = (), cache: Path | None = None) 
     rules = importlib.resources.files("executive.vocabulary").iterdir()
     made_by = [file for file in sorted(rules, key=str) if file.name.endswith((".py", ".toml"))]
     try:
-        files = [file.read_bytes() for file in (*made_by, *user_files)]
-        brought = [
-            f"{name} ".encode() + file.read_bytes() for name, file in outside_files(VOCABULARY).items()
-        ]
+        sources = [*(file.read_bytes() for file in (*made_by, *user_files)), b"brought"]
+        for name, file in outside_files(VOCABULARY).items():
+            sources.append(f"{name} ".encode() + file.read_bytes())
     except OSError:
         return Vocabulary.of(read_classes(user_files))
-    sources = [*files, b"brought", *brought]
     return Vocabulary(*kept(cache, "vocabulary", sources, lambda: _prepared(read_classes(user_files))))
 
 

@@ -21,15 +21,12 @@ def forms(kind: str) -> Mapping[str, str]:
 def plural(phrase: str) -> str:
     """The plural of a noun phrase: that of its last word."""
     *first, last = phrase.split(" ")
-    return " ".join([*first, forms("plurals").get(last) or _regular_plural(last)])
-
-
-def _regular_plural(word: str) -> str:
-    if word.endswith(("s", "x", "z", "ch", "sh")):
-        return word + "es"
-    if word.endswith("y") and word[-2:-1] not in _VOWELS:
-        return word[:-1] + "ies"
-    return word + "s"
+    form = forms("plurals").get(last)
+    if form is None and last.endswith("y") and last[-2:-1] not in _VOWELS:
+        form = last[:-1] + "ies"
+    elif form is None:
+        form = last + ("es" if last.endswith(("s", "x", "z", "ch", "sh")) else "s")
+    return " ".join([*first, form])
 
 
 def gerund(phrase: str) -> str:

@@ -12,7 +12,6 @@ import itertools
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
@@ -48,13 +47,6 @@ class OutsideWords:
     complaints: tuple[str, ...] = ()
 
 
-def own_files() -> list[Traversable]:
-    """The word lists that travel with the package."""
-    folder = importlib.resources.files("executive.vocabulary")
-    lists = (item for item in folder.iterdir() if item.name.endswith(".toml") and item.name != "forms.toml")
-    return sorted(lists, key=lambda item: item.name)
-
-
 def read_classes(user_files: Sequence[Path]) -> list[WordClass]:
     """Every word class, with the words that are added to it.
 
@@ -62,8 +54,9 @@ def read_classes(user_files: Sequence[Path]) -> list[WordClass]:
         VocabularyError: A user's list is malformed.
     """
     tables: dict[str, dict[str, Any]] = {}
-    for file in own_files():
-        _add(tables, read_toml(file.read_text("utf-8")))
+    for file in sorted(importlib.resources.files("executive.vocabulary").iterdir(), key=str):
+        if file.name.endswith(".toml") and file.name != "forms.toml":
+            _add(tables, read_toml(file.read_text("utf-8")))
     for _, words in outside_words(frozenset(tables)).words:
         _add(tables, words)
     for path in user_files:

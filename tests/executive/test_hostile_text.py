@@ -56,6 +56,11 @@ def test_any_salad_of_words_and_marks_gets_one_answer(text):
     assert is_one_answer(parse(text))
 
 
+@pytest.mark.parametrize("text", ['say ","', 'wave, ","', '","', 'say ",", "," please'])
+def test_a_quoted_mark_at_the_end_gets_one_answer(text):
+    assert is_one_answer(parse(text))
+
+
 @given(st.sampled_from(SENTENCES), st.data())
 @settings(max_examples=150, deadline=None)
 def test_any_changed_sentence_gets_one_answer(sentence, data):

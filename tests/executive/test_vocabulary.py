@@ -9,7 +9,7 @@ import executive.vocabulary
 from executive.errors import VocabularyError
 from executive.language.chart.grammar import grammar_text, terminals_of
 from executive.understanding.command_parser import parser_with
-from executive.vocabulary import load_vocabulary
+from executive.vocabulary import Reading, load_vocabulary
 from executive.vocabulary.inflection import gerund, participle, plural
 from executive.vocabulary.written import expand
 
@@ -45,7 +45,7 @@ def test_every_refusal_can_be_written_for_every_word():
     vocabulary = load_vocabulary()
     for name, word_class in vocabulary.classes.items():
         for meaning in word_class.words:
-            message = vocabulary.refusal_of(name, meaning, "word")
+            message = vocabulary.refusal(Reading(name, meaning), "word")
             assert message is None or "{" not in message
 
 

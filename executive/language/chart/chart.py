@@ -6,7 +6,7 @@ that the work grows with the length and not with the number of parses. Parses th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
@@ -26,9 +26,6 @@ _REFUSED_COMMANDS = frozenset(
 
 _PARTS = frozenset({"SEP", "AND", "BECAUSE", "BEFORE", "AFTER"})
 """Word classes that part a clause from what stands beside it."""
-
-_TOLD = frozenset({"command"})
-"""Rules whose words are those of a task."""
 
 Spans = dict[int, dict[Any, None]]
 
@@ -65,11 +62,6 @@ class Chart:
                 found.update(dict.fromkeys(values))
         return list(found)
 
-    @property
-    def expected(self) -> AbstractSet[str]:
-        """Word classes with which the grammar goes on where the sentence was followed furthest."""
-        return self.expected_at(self.furthest)
-
     def expected_at(self, position: int) -> AbstractSet[str]:
         """Word classes with which the grammar goes on at a place."""
         return self._expected.get(position, frozenset())
@@ -93,19 +85,14 @@ class Chart:
         """Whether a clause may begin at a place, for what stands before it parts clauses."""
         if position >= len(self._lattice.pieces):
             return False
-        before = position > 0 and self._lattice.pieces[position - 1].is_mark
-        return (
-            before or self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
-        )
+        if position > 0 and self._lattice.pieces[position - 1].is_mark:
+            return True
+        return self._lattice.ends_with(position, _PARTS) or self._lattice.begins_with(position, _PARTS)
 
     @property
     def verbs(self) -> AbstractSet[str]:
         """Word classes that begin a command."""
         return self._rules["command"].first
-
-    def begins_command(self, words: Iterable[Word]) -> bool:
-        """Whether one of some words can begin a command."""
-        return any(word.word_class in self.verbs for word in words)
 
     def _spans(self, name: str, start: int) -> Spans:
         known = self._known.get((name, start))
@@ -114,12 +101,12 @@ class Chart:
         rule = self._rules[name]
         spans: Spans = {}
         self._known[name, start] = spans
-        classes = self._lattice.classes(start)
+        classes = self._lattice.words[start]
         if not rule.first.isdisjoint(classes) or "TEXT" in rule.first:
             for end, value in self._matches(rule, start):
                 if rule.closes and not self._lattice.ends[end]:
                     continue
-                if name in _TOLD and isinstance(value, Clause):
+                if name == "command" and isinstance(value, Clause):
                     value = replace(value, text=self._lattice.text(start, end))
                 spans.setdefault(end, {})[value] = None
         else:
@@ -132,7 +119,7 @@ class Chart:
             node, position, parts = pending.pop()
             self._steps += 1
             if self._steps > MAX_STEPS:
-                raise TooTangledError
+                raise TooTangledError("the sentence can be read in too many ways")
             for function in node.functions:
                 value = parts if rule.repeats else self._value(function, parts)
                 if value is not None:
@@ -140,7 +127,7 @@ class Chart:
                 elif self._lattice.ends[position] and rule.name in self._rules["command"].root.rules:
                     self.unfit = self.unfit or len(parts) > 2 or any(map(_has_details, parts))
             self._missed(position, node.terminals)
-            classes = self._lattice.classes(position)
+            classes = self._lattice.words[position]
             for word_class, following in node.terminals.items():
                 words = self._words(word_class, position, classes)
                 pending += [(following, word.end, (*parts, word)) for word in words]

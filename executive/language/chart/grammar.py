@@ -105,13 +105,8 @@ def rules_of(productions: Iterable[Production]) -> dict[str, Rule]:
 
 def _first(name: str, begins: dict[str, set[str]]) -> frozenset[str]:
     seen: set[str] = set()
-    pending = [name]
-    terminals: set[str] = set()
+    pending = {name}
     while pending:
-        for part in begins[pending.pop()] - seen:
-            seen.add(part)
-            if part.isupper():
-                terminals.add(part)
-            else:
-                pending.append(part)
-    return frozenset(terminals)
+        pending |= begins.get(pending.pop(), set()) - seen
+        seen |= pending
+    return frozenset(part for part in seen if part.isupper())

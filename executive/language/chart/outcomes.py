@@ -64,9 +64,10 @@ def outcomes_of(
     if asked and min(asked) < best[0]:
         return list(troubles)  # no reading that is less likely is taken because a likely one is asked about
     likely = [commands for rank, commands in understood.values() if rank[:2] == best]
-    return [one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)] or list(
-        troubles
-    )
+    told: list[Outcome] = [
+        one for one in likely if not any(_only_begins_with_more(one, other) for other in likely)
+    ]
+    return told or list(troubles)
 
 
 def _as_first_named(command: Command, commands: Sequence[Command]) -> dict[str, Any]:

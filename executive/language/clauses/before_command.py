@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
-from typing import Any
 
 from executive.language.clauses.statements import named_thing
 from executive.language.phrases.arranging import guarded, unfit
-from executive.language.phrases.parts import Parts, words
+from executive.language.phrases.parts import Parts, always, words
 from executive.language.phrases.values import Clause, Hand, Item, Meaning, Trouble, Where
 
 _OPENS_A_PHRASE = (",", ":")
@@ -23,11 +22,6 @@ _WITH_A_HAND = frozenset({"pick", "place", "put_in", "hand_over", "open", "close
 
 _FOUND_SOMEWHERE = frozenset({"pick", "find", "count", "describe"})
 """Tasks of which a place before them can only say where their thing is."""
-
-
-def _nothing(parts: Parts) -> Any:
-    """A courtesy or a reason, which say nothing of what is to be done."""
-    return parts[0]
 
 
 def _numbered(parts: Parts) -> int | None:
@@ -93,7 +87,7 @@ def _maybe_ordered(parts: Parts) -> Trouble:
 
 MEANINGS: Mapping[str, Meaning] = MappingProxyType(
     {
-        "nothing": _nothing,
+        "nothing": always(""),  # a courtesy or a reason, which say nothing of what is to be done
         "numbered": _numbered,
         "clause": _clause,
         "led": _led,

@@ -25,7 +25,7 @@ _NAMED = frozenset({"thing", "container", "furniture", "door"})
 
 def what_is_missing(lattice: Lattice, chart: Chart) -> Question | None:
     """The question for what a sentence leaves out; None where it is whole, or more than that is wrong."""
-    if not lattice.pieces or len(lattice.pieces) > MAX_WORDS or lattice.unknown() is not None:
+    if not lattice.pieces or len(lattice.pieces) > MAX_WORDS or lattice.unknown():
         return None
     return _only_named(lattice, chart) or next(_questions(lattice, chart), None)
 
@@ -65,7 +65,7 @@ def _asked(gap: Mapping[str, Any], before: str, behind: str, expected: AbstractS
 def _last_phrase(lattice: Lattice, end: int) -> list[Word]:
     """The readings of the longest phrase that ends at a place."""
     phrases = (
-        [one for one in lattice.phrase(at) if one.end == end] for at in range(max(0, end - _LONGEST), end)
+        [one for one in lattice.phrases[at] if one.end == end] for at in range(max(0, end - _LONGEST), end)
     )
     return next(filter(None, phrases), [])
 
@@ -73,8 +73,8 @@ def _last_phrase(lattice: Lattice, end: int) -> list[Word]:
 def _is_behind(lattice: Lattice, place: int, gap: Mapping[str, Any], chart: Chart) -> bool:
     """Whether the last verb before a place is one that leaves the gap, if that matters."""
     for start in range(place - 1, -1, -1) if "verbs" in gap else ():
-        longest = max((word.end for word in lattice.phrase(start)), default=start)
-        classes = {word.word_class for word in lattice.phrase(start) if word.end == longest}
+        longest = max((word.end for word in lattice.phrases[start]), default=start)
+        classes = {word.word_class for word in lattice.phrases[start] if word.end == longest}
         if not classes.isdisjoint(chart.verbs):
             return not classes.isdisjoint(gap["verbs"]) and classes.isdisjoint(gap.get("whole", ()))
     return "verbs" not in gap
@@ -84,7 +84,7 @@ def _only_named(lattice: Lattice, chart: Chart) -> Question | None:
     """The question for a sentence that names things and says nothing of them: "red cup, please"."""
     alone = frozenset(explanations()["nouns_too"])
     for start in reversed(range(len(lattice.pieces))):
-        if not lattice.may_begin(start) or any(one.word_class in alone for one in lattice.phrase(start)):
+        if not lattice.may_begin(start) or any(one.word_class in alone for one in lattice.phrases[start]):
             continue
         said = next((one for one in chart.meanings("items", start) if isinstance(one, Items)), None)
         words = lattice.text(start, _end(lattice, start))

@@ -14,7 +14,7 @@ from executive.language.explain.typos import is_slip, meant_by
 from executive.language.text.lattice import Lattice
 from executive.language.text.word import Word
 from executive.meaning import Refusal
-from executive.vocabulary import Vocabulary
+from executive.vocabulary import Reading, Vocabulary
 from executive.vocabulary.written import split_words
 
 _SHOWN, _SHOWN_OF_A_PART = 40, 80
@@ -70,9 +70,11 @@ class Explainer:
         if forbidden is not None:
             inside = understood is not None and understood[0] <= forbidden.start < understood[1]
             return self._told(forbidden, "" if inside else part)
-        unknown = lattice.unknown()
+        unknown = next(iter(lattice.unknown()), None)
         if unknown is not None and (understood is None or unknown <= broken):
-            mended = self._mended(lattice, unknown, chart.expected if unknown == chart.furthest else None)
+            mended = self._mended(
+                lattice, unknown, chart.expected_at(unknown) if unknown == chart.furthest else None
+            )
             return self._at(lattice, unknown, f"{part}the word ", f" is not known{mended}")
         if understood is not None:
             rest = printable(_beside(lattice, *understood), _SHOWN_OF_A_PART)
@@ -114,14 +116,15 @@ class Explainer:
             yield from self._refused(lattice, classes, range(size))
         for start in range(min(max(chart.furthest, lattice.first_said) + 1, size)):
             if begins_clause(lattice, start):
+                verbs = [one.end for one in lattice.phrases[start] if one.word_class in chart.verbs]
                 for done in self._refused(lattice, explanations()["beginning"], (start,)):
-                    if not chart.begins_command(one for one in lattice.phrase(start) if one.end >= done.end):
+                    if done.end > max(verbs, default=0):
                         yield done
 
     def _refused(self, lattice: Lattice, only: Sequence[str] | None, places: Iterable[int]) -> Iterator[Word]:
         """Words that are known and never acted on, of some classes, the longest of each place first."""
         for position in places:
-            words = lattice.phrase(position) if 0 <= position < len(lattice.pieces) else ()
+            words = lattice.phrases[position] if 0 <= position < len(lattice.pieces) else ()
             for word in sorted(words, key=lambda one: -one.end):
                 if (only is None or word.word_class in only) and self._message(word) is not None:
                     yield word
@@ -132,7 +135,7 @@ class Explainer:
         used: str | None = explanations()["messages"].get(word.word_class)
         if used is not None:
             return used.format(word=said)
-        return self._vocabulary.refusal_of(word.word_class, word.meaning, said)
+        return self._vocabulary.refusal(Reading(word.word_class, word.meaning), said)
 
     def _mended(self, lattice: Lattice, position: int, expected: AbstractSet[str] | None) -> str:
         """The known word that an unknown one may have been meant to be, as a question."""
@@ -141,7 +144,7 @@ class Explainer:
             for one in meant_by(lattice.pieces[position].text, self._vocabulary.single_words)
             if expected is None or not self._begun([one]).isdisjoint(expected)
         ]
-        foreign = len(lattice.unknown_pieces()) * _KNOWN_WORDS > len(lattice.pieces)
+        foreign = len(lattice.unknown()) * _KNOWN_WORDS > len(lattice.pieces)
         return f"; did you mean {near[0]!r}?" if near and not foreign else ""
 
     def is_mistyped(self, word: str) -> bool:

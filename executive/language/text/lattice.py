@@ -16,17 +16,13 @@ HESITATION = "HESITATION"
 TIME = "time"
 """Meaning of those fillers that may belong to words to say: "tell Ben that I'm leaving now"."""
 
-_BESIDE, _AGAIN, _SET_OFF, _BEFORE_ALL = "beside", "again", "set_off", "before_all"
+_BESIDE, _AGAIN, _MANNER = "beside", "again", "manner"
 """Meanings: of who may be meant elsewhere ("my friend"), of what is done once more or is a word to say ("see
-you again"), of what says something elsewhere ("do it well"), and of what may be narrowed ("before all").
+you again"), and of how something is to be done, which it always is.
 """
 
-_MANNERS = frozenset({(FILLER, "manner"), ("OPENING", "manner"), ("BRIEFLY", "hurry")})
-"""Words that say how something is to be done, which it always is."""
-
-_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION"})
-_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", HESITATION, ADDRESSED, *_AT_FIRST})
-_NARROWS = frozenset({"IN", "ON", "AT", "TO", "WITH", "FROM", "FOR", "NEXT_TO", "RELATION", "INTO"})
+_AT_FIRST = frozenset({"SECOND_THOUGHT", "AT_FIRST", "ATTENTION", HESITATION, ADDRESSED})
+_PASSED_AT_FIRST = frozenset({FILLER, "OPENING", "REASON", *_AT_FIRST})
 _NOUNS = frozenset({"KIND", "KINDS", "SUBSTANCE", "PAIR", "FURNITURE", "CONTAINER", "ROOM"})
 _PEOPLE = frozenset({"NAME", "PERSON", "PEOPLE", "ANIMAL", "ANIMALS", "HIM", "EVERYBODY", "US"})
 _COMPLETE = _NOUNS | frozenset(
@@ -54,6 +50,8 @@ class Lattice:
     Attributes:
         plain: The normalised text.
         pieces: Its pieces.
+        phrases: The words that begin exactly at each place.
+        words: Those that begin there or behind courtesies, by word class: what the grammar is offered.
         ends: Places after which nothing but courtesies and marks follow.
     """
 
@@ -67,20 +65,15 @@ class Lattice:
         self.plain, self.pieces = plain, pieces
         size = len(pieces)
         texts = ["" if piece.quoted else piece.text for piece in pieces]
-        self._own = [self._read(start, texts, vocabulary) for start in range(size)]
+        self.phrases: list[list[Word]] = [[] for _ in range(size)]
         self._begins: list[set[str]] = [set() for _ in range(size + 1)]
         self._ended: list[set[str]] = [set() for _ in range(size + 1)]
-        self._note([word for words in self._own for word in words])
-        for found in (
-            unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped),
-            titled_names(pieces, plain, self._begins, self._ended, vocabulary),
-        ):
-            names = list(found)
-            self._note(names)
-            for name in names:
-                self._own[name.start].append(name)
+        for start in range(size):
+            self._note(self._read(start, texts, vocabulary))
+        self._note(list(unlisted_names(pieces, plain, self._begins, vocabulary, is_mistyped)))
+        self._note(list(titled_names(pieces, plain, self._begins, self._ended, vocabulary)))
         self._nothing_said = self._before_any_content()
-        self._words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
+        self.words: list[dict[str, list[Word]]] = [{} for _ in range(size + 1)]
         self._covered = [False] * size
         self.ends = [False] * size + [True]
         self._text_ends = [False] * size + [True]
@@ -104,6 +97,7 @@ class Lattice:
 
     def _note(self, words: Sequence[Word]) -> None:
         for word in words:
+            self.phrases[word.start].append(word)
             self._begins[word.start].add(word.word_class)
             self._ended[word.end].add(word.word_class)
 
@@ -111,13 +105,13 @@ class Lattice:
         """For each place, whether only courtesies stand before it."""
         reached = [True] + [False] * len(self.pieces)
         for start, piece in enumerate(self.pieces):
-            for word in self._own[start] if reached[start] else ():
+            for word in self.phrases[start] if reached[start] else ():
                 reached[word.end] |= piece.is_mark or word.word_class in _PASSED_AT_FIRST
         return reached
 
     def _place(self, start: int) -> None:
         """Offer the words of a place to the grammar, and those behind a courtesy that begins there."""
-        found, at = self._own[start], self._words[start]
+        found, at = self.phrases[start], self.words[start]
         fillers = [word for word in found if self._is_passed_over(word)]
         for word in found:
             for index in range(start, word.end) if word.word_class != _ONLY_REFUSED else ():
@@ -126,14 +120,9 @@ class Lattice:
                 at.setdefault(word.word_class, []).append(word)
         passed = {word.end for word in fillers}
         silent = {word.end for word in fillers if word.meaning != _AGAIN and not self._is_last_word(word)}
-        if self.pieces[start].text == ",":
-            passed |= {
-                after
-                for word in self._own[start + 1]
-                if self._is_passed_over(word)
-                for after in self._after_commas(word)
-            }
         mark = self.pieces[start].is_mark
+        if mark and self.pieces[start].text == ",":
+            passed.update(*map(self._after_commas, filter(self._is_passed_over, self.phrases[start + 1])))
         if start == 0 and mark:
             passed.add(1)
         self.ends[start] = (mark and self.ends[start + 1]) or any(self.ends[after] for after in passed)
@@ -141,7 +130,7 @@ class Lattice:
             self._text_ends[after] for after in passed & silent
         )
         for after in passed:
-            for name, words in self._words[after].items():
+            for name, words in self.words[after].items():
                 known = at.setdefault(name, [])
                 known.extend(word for word in words if word not in known)
 
@@ -155,13 +144,12 @@ class Lattice:
         if word.word_class == FILLER:
             a_noun_follows = "DET" in before and before.isdisjoint(("THIS", "THEM"))
             return "SAY" not in before and not a_noun_follows
-        first = self._nothing_said[word.start]
+        if self._nothing_said[word.start]:
+            return word.word_class in _AT_FIRST
         if word.word_class == ADDRESSED:
-            return first or (self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before)
-        if word.word_class in _AT_FIRST:
-            return first and not (word.meaning == _BEFORE_ALL and self.begins_with(word.end, _NARROWS))
-        if word.word_class != HESITATION or first or word.meaning == _SET_OFF:
-            return word.word_class == HESITATION and first
+            return self._is_beside(word) if word.meaning == _BESIDE else "PAUSE" in before
+        if word.word_class != HESITATION:
+            return False
         end, after = word.start, word.end
         while end > 0 and self.pieces[end - 1].is_mark:
             end -= 1
@@ -183,31 +171,21 @@ class Lattice:
         "Orange juice" is no juice that is orange, "take a picture" takes none from the wall, "my glasses" are
         no drinking glasses, and in "the cup and saw" the bare noun that is a verb as well may be one.
         """
-        start, found = word.start, self._own[word.start]
+        start, found = word.start, self.phrases[word.start]
         if word.word_class == "KIN_TITLE":
             return True
         if word.word_class in _DESCRIBING:
             return any(one.word_class in _NOUNS and one.end > word.end for one in found)
-        if any(
-            one.word_class == "IDIOM" and one.end > word.end and not self._holds_more(one) for one in found
-        ):
+        if any(one.word_class == "IDIOM" and one.end > word.end for one in found):
             return True
         if word.end > start + 1 or word.word_class not in _NOUNS:
             return False
         listed = self._nothing_said[start] or not self._ended[start].isdisjoint(_LISTING)
         verb = listed and any(one.word_class in _REFUSED_VERBS for one in found)
         pair = start > 0 and any(
-            one.word_class == "PAIR" and one.end == word.end for one in self._own[start - 1]
+            one.word_class == "PAIR" and one.end == word.end for one in self.phrases[start - 1]
         )
         return verb or (pair and word.word_class == "KINDS")
-
-    def _holds_more(self, idiom: Word) -> bool:
-        """Whether a noun within an idiom goes on behind it: "take a photo frame"."""
-        return any(
-            word.word_class in _NOUNS and word.end > idiom.end
-            for start in range(idiom.start + 1, idiom.end)
-            for word in self._own[start]
-        )
 
     def _is_last_word(self, word: Word) -> bool:
         """Whether it addresses somebody at the end, where it may as well be one of the words to say."""
@@ -219,10 +197,6 @@ class Lattice:
         closed = word.end < len(self.pieces) and self.pieces[word.end].text == ","
         after = [word.end + 1] if closed else []
         return [*after, word.end] if word.word_class == HESITATION else after
-
-    def classes(self, position: int) -> dict[str, list[Word]]:
-        """The words that begin at a place, by word class."""
-        return self._words[position]
 
     @property
     def first_said(self) -> int:
@@ -236,10 +210,6 @@ class Lattice:
         """Whether only courtesies stand before a place."""
         return self._nothing_said[position]
 
-    def phrase(self, position: int) -> Sequence[Word]:
-        """The words that begin exactly at a place."""
-        return self._own[position]
-
     def ends_with(self, position: int, classes: AbstractSet[str]) -> bool:
         """Whether a phrase of one of some classes ends at a place."""
         return not self._ended[position].isdisjoint(classes)
@@ -252,21 +222,17 @@ class Lattice:
         """Words that say how, and are passed over because it is always done like that."""
         found: dict[str, None] = {}
         end = 0
-        for start, words in enumerate(self._own):
-            said = [one for one in words if (one.word_class, one.meaning) in _MANNERS]
+        for start, words in enumerate(self.phrases):
+            said = [one for one in words if (one.word_class, one.meaning) == (FILLER, _MANNER)]
             if said and start >= end:
                 longest = max(said, key=lambda one: one.end)
                 found[longest.said] = None
                 end = longest.end
         return tuple(found)
 
-    def unknown(self) -> int | None:
-        """The first piece that belongs to no phrase."""
-        return next((at for at, covered in enumerate(self._covered) if not covered), None)
-
-    def unknown_pieces(self) -> list[Piece]:
-        """All pieces that belong to no phrase."""
-        return [self.pieces[at] for at, covered in enumerate(self._covered) if not covered]
+    def unknown(self) -> list[int]:
+        """The pieces that belong to no phrase."""
+        return [at for at, covered in enumerate(self._covered) if not covered]
 
     def free_text(self, start: int, commands: AbstractSet[str]) -> list[Word]:
         """What may be words to say: from a place up to each separator, and to the end.
@@ -289,20 +255,20 @@ class Lattice:
     def _may_end_before(self, start: int, commands: AbstractSet[str]) -> tuple[int, str]:
         """The first place where words to say may end though they go on, and what is said there."""
         for position in range(start + 1, len(self.pieces)):
-            for word in self._own[position]:
-                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self._words[word.end])
+            for word in self.phrases[position]:
+                follows = word.word_class in _SEPARATES and not commands.isdisjoint(self.words[word.end])
                 if follows or word.word_class == "SPOKEN_MARK":
                     return position, word.said or self.pieces[position].text
         return len(self.pieces), ""
 
     def _time_at(self, position: int) -> str:
         """``TIME`` where a time begins that may belong to the words before it."""
-        begins = self._own[position] if position < len(self.pieces) else ()
+        begins = self.phrases[position] if position < len(self.pieces) else ()
         return TIME if any((word.word_class, word.meaning) == (FILLER, TIME) for word in begins) else ""
 
     def _text_may_end(self, end: int) -> bool:
         """Whether words to say may end at a place."""
-        return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self._own[end])
+        return self._text_ends[end] or any(word.word_class in _ENDS_TEXT for word in self.phrases[end])
 
     def text(self, start: int, end: int) -> str:
         """The text of some pieces, as it was written."""

@@ -92,7 +92,7 @@ def pieces_of(plain: str) -> list[Piece]:
         MalformedTextError: It has too many pieces.
     """
     pieces = list(_pieces(plain))
-    while pieces and pieces[-1].is_mark and not pieces[-1].quoted:
+    while pieces and pieces[-1].is_mark:
         pieces.pop()
     if len(pieces) > MAX_PIECES:
         raise MalformedTextError(f"the sentence has {len(pieces)} words, at most {MAX_PIECES} are read")

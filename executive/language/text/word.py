@@ -19,7 +19,7 @@ class Piece:
     @property
     def is_mark(self) -> bool:
         """Whether it is a punctuation mark."""
-        return self.text in _MARKS
+        return not self.quoted and self.text in _MARKS
 
     @property
     def is_number(self) -> bool:

@@ -37,6 +37,8 @@ from executive.understanding.command_parser import parse
         "say the magic word",
         "is Ana sitting in the kitchen?",
         "go to the two chairs",
+        "take a photo frame from the shelf",
+        "before doing anything, wave",
     ],
 )
 def test_a_rare_wording_is_not_acted_on(sentence):

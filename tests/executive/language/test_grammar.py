@@ -106,7 +106,7 @@ def test_where_a_sentence_breaks_off_is_told_with_what_would_fit():
     )
 
     assert broken.meanings() == []
-    assert (broken.furthest, broken.expected) == (1, {"B"})
+    assert (broken.furthest, broken.expected_at(1)) == (1, {"B"})
 
 
 def test_too_many_readings_are_given_up_instead_of_taking_for_ever():
