@@ -93,23 +93,23 @@ def _move_on(parts: Parts) -> Clause:
 def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, float]:
     """Signed speeds, in m/s and rad/s, of which one is zero."""
     headings = ("FORWARD", "BACKWARD", "BRIDGE", "BACK_UP", "TURN_SIDE", "LEFT_RIGHT")
-    said = next((one.meaning.partition(":")[0] for one in words(parts, *headings)), None)
+    heading = next((one.meaning.partition(":")[0] for one in words(parts, *headings)), None)
     how = senses(parts, "MOVE")
-    turns = bool(words(parts, "TURN", "A_TURN")) or said in _ANGULAR
+    turns = bool(words(parts, "TURN", "A_TURN")) or heading in _ANGULAR
     if turns and not words(parts, "TURN", "A_TURN", "BRIDGE") and "angle" not in measures:
-        raise trouble(f"moving sideways ({said!r}) is no skill of this robot", said)
+        raise trouble(f"moving sideways ({heading!r}) is no skill of this robot", heading)
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
         raise unfit()
-    if said == "ahead" and not measures:
+    if heading == "ahead" and not measures:
         raise trouble("walk ahead, or go on with what?", asks=True)
-    if said == "back" and not measures and "step" not in how:
+    if heading == "back" and not measures and "step" not in how:
         raise trouble("back to where, or backward?", asks=True)
-    if said is None and ("advance" in how or ("distance" in measures and "walk" in how)):
-        said = "forward"
-    if said is None:
+    if heading is None and ("advance" in how or ("distance" in measures and "walk" in how)):
+        heading = "forward"
+    if heading is None:
         raise trouble("to the left or to the right?" if turns else NO_DIRECTION, asks=True)
-    return (0.0, _ANGULAR[said]) if turns else (_LINEAR[said], 0.0)
+    return (0.0, _ANGULAR[heading]) if turns else (_LINEAR[heading], 0.0)
 
 
 def _turn_around(parts: Parts) -> Clause:

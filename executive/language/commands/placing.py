@@ -10,18 +10,12 @@ from executive.language.commands import meanings, word_lists
 from executive.language.phrases.arranging import Arranged, arranged, clause, trouble, unfit
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
-from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Where, draft
-from robots.scenes.furniture_names import kind_called
+from executive.language.phrases.parts import Parts, always, senses, words
+from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Trouble, Where, draft
 from trees.beliefs.grounding.articles import with_article
 
 HOLDERS = word_lists()["holders"]
 """Things that others are put into or onto."""
-
-
-def one_at_a_time(action: str) -> str:
-    """The refusal of opening or closing several things at once."""
-    return f"only one at a time can be told to {action}; name each of them"
 
 
 def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Draft:
@@ -40,19 +34,15 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
         raise trouble("where shall it be put?", asks=True)
     if of.reference == "there":
         return draft("place", **slots, there=goal)
-    if of.is_person:
+    if of.is_person or of.sort == "you":
         raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
-    if of.sort == "you":
-        raise unfit()
+    if goal.preposition == "at" and of.sort in ("door", "furniture"):
+        raise trouble(f"on the {of.kind}, or next to it?", asks=True)
     if of.sort == "door":
-        if goal.preposition == "at":
-            return draft("place", **slots, to=Relative("next_to", of))
         raise trouble(f"nothing can be put on or into the {of.kind}", of.kind)
     if goal.preposition == "in":
         return _put_into(slots, of)
     if of.sort == "furniture":
-        if goal.preposition == "at" and kind_called(of.kind or "") not in word_lists()["surfaces"]:
-            raise trouble(f"on the {of.kind}, or next to it?", asks=True)
         return draft("place", **slots, on=of)
     if goal.preposition == "on" and of.sort != "room":
         return draft("place", **slots, on=of)
@@ -122,20 +112,11 @@ def _move_thing(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
-def _drop(parts: Parts) -> Clause:
-    for one in arranged(parts):
-        thing(one, "dropping")
-        if one.goal is not None or one.source is not None or one.back:
-            raise unfit()
-    raise trouble("where shall it be put?", asks=True)
-
-
 def _door_to_a_room(one: Arranged) -> Arranged:
     """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
     door, goal = one.object, one.goal
-    if door.sort != "door" or goal is None or goal.preposition != "to" or goal.of.sort != "room":
-        return one
-    if door.name is not None or not goal.of.is_plain:
+    named = door.sort != "door" or door.name is not None
+    if named or goal is None or goal.preposition != "to" or goal.of.sort != "room":
         return one
     return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
 
@@ -154,7 +135,7 @@ def _opened(action: str) -> Callable[[Parts], Clause]:
             if nominal.reference == "this" or behind:
                 raise trouble("which one is meant?", asks=True)  # "the door behind you"
             if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
-                raise trouble(one_at_a_time(action), nominal.kind)
+                raise trouble(f"only one at a time can be told to {action}; name each of them", nominal.kind)
             told = nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain
             if not (told or nominal.reference or nominal.sort in ("container", "door")):
                 what = nominal.kind or "thing"
@@ -172,7 +153,7 @@ MEANINGS = meanings(
         "put": _put,
         "put_into": _move_thing,
         "move_thing": _move_thing,
-        "drop": _drop,
+        "drop": always(Trouble("where shall it be put?", asks=True)),
         "discard": _discard,
         "open": _opened("open"),
         "close": _opened("close"),

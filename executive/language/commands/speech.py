@@ -48,7 +48,8 @@ def _is_told(lowered: str) -> bool:
     """Whether it begins with a subject and any verb, as behind "that": "the doctor comes at five"."""
     first, *rest = re.findall(r"[\w']+", lowered)
     verb = rest[first in word_lists()["determiners"] :][:1]
-    return any(one.endswith(("s", "ed")) and not one.endswith("'s") for one in verb)
+    ends = tuple(word_lists()["verb_ends"])
+    return any(one.endswith(ends) and not one.endswith("'s") for one in verb)
 
 
 def _begins(lowered: str, phrases: str) -> bool:
@@ -68,7 +69,7 @@ def _speech(parts: Parts) -> str:
     ends = lowered.rstrip(".,!? ").split()[-1:]
     if '"' in text or text.startswith("'") or not word_lists()["ends_no_speech"].isdisjoint(ends):
         raise unfit()
-    to = " to " in lowered and not (stated and words(parts, "TELL"))
+    to = not word_lists()["to_whom"].isdisjoint(lowered.split()) and not (stated and words(parts, "TELL"))
     if not that and (to or (_begins(lowered, "begins_no_speech") and not greeting)):
         raise unfit()
     if (

@@ -133,7 +133,7 @@ def _left_somewhere(told: Discourse, order: Order) -> Trouble | None:
     """Leave the cup on the table: whether it is there already."""
     if order.said.get("stays") and order.root not in told.held:
         return _asked("shall it be put there, or stay where it is?")
-    return _asked("where shall it be put?") if order.said.get("lets_go") else None
+    return None
 
 
 def _same_twice(told: Discourse, order: Order) -> Trouble | None:
@@ -190,7 +190,7 @@ def _is_ranked(of: Nominal) -> bool:
 def _told_of_what(told: Discourse, order: Order) -> Trouble | None:
     """Go to the shelf, is there a cup; come and tell me; count the cups and find them."""
     where = order.said.get("there_are")
-    around = [one for one in told.places if where != "opened" or one.role == "object"]
+    around = [one for one in told.places if where is True or one.role in (where or ())]
     if where and order.said.get("source") is None and around:
         return _asked("only there, or in all that is in view?")
     if order.said.get("tells") and told.last_action not in _TOLD:

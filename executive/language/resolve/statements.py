@@ -20,8 +20,6 @@ def taking_up(told: Discourse, bundle: Bundle, stated: Mention) -> Bundle:
     """
     first, *rest = bundle
     thing, of = first.get("object"), stated.of
-    if stated.meant_for is not None and any(one.action == "hand_over" for one in bundle):
-        raise ask(f"is it for {stated.meant_for.kind}, or for whom?")
     is_one = isinstance(thing, Nominal) and thing.anaphoric and thing.count == 1 and not of.is_single
     chosen = is_one and of.kind is not None and of.is_plain and not told.steps
     opens = first.action in OPENS and (told.steps or (stated.state or "").startswith(first.action))
