@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.commands.going import target
 from executive.language.phrases.arranging import arranged, checked, clause, found_there, trouble, unfit
 from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.handled_thing import looked_for
+from executive.language.phrases.nominals import COLLECTIVE
 from executive.language.phrases.parts import Parts, always, senses, words
 from executive.language.phrases.values import (
     Clause,
@@ -110,7 +111,7 @@ def _search(parts: Parts) -> Clause:
 
 
 def _count(parts: Parts) -> Clause:
-    counted, collective = _asked(parts, "count"), word_lists()["collective"]
+    counted = _asked(parts, "count")
     for one in counted:
         nominal, source = one.get("object"), one.get("source")
         if words(parts, "HOW_MANY") and source is not None and source.reference == "there":
@@ -118,7 +119,7 @@ def _count(parts: Parts) -> Clause:
         if nominal.reference:
             raise trouble("name what shall be counted", nominal.reference)
         if nominal.sort in ("me", "name") or not (
-            nominal.plural or nominal.paired or nominal.kind in collective
+            nominal.plural or nominal.paired or nominal.kind in COLLECTIVE
         ):
             raise unfit()
     return _alone(counted, parts, _there(parts))

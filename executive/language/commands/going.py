@@ -5,12 +5,13 @@ from __future__ import annotations
 import itertools
 from dataclasses import replace
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.commands.moving import bounded
 from executive.language.phrases.arranging import ME, arranged, clause, trouble, unfit
 from executive.language.phrases.lists import named_together, said_again, spoken
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Item, Measure, Nominal, Relative, draft, relation_kind
+from executive.language.resolve.kinds import listed
 
 MAX_WAIT_S = 3600.0
 """A robot that waits stands; beyond it the number is taken for a mistake."""
@@ -44,7 +45,7 @@ def _toward(parts: Parts) -> Nominal:
     if goal.sort == "animal":
         raise trouble(f"walking after an animal ({goal.kind!r}) is no skill of this robot", goal.kind)
     links = words(parts, "TO_ALSO", "TO", "IN", "INTO")
-    if links and goal.kind in word_lists()["beds"] and not goal.determined:
+    if links and goal.kind in listed("beds") and not goal.determined:
         raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)
     if "in" in senses(links, "TO_ALSO", "IN", "INTO") and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} {spoken(goal)} is no skill of this robot", links[0].said)

@@ -52,7 +52,7 @@ def _fetch(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     for one in arranged(parts):
         goal = one.goal
-        if goal is not None and (goal.relation or not (goal.of.is_person or goal.of.reference == "here")):
+        if goal is not None and goal.relation:
             raise unfit()
         person = one.person if goal is None else goal.of
         has_clear_place(one)

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from executive.language.commands import meanings
-from executive.language.phrases.arranging import TroubleError, clause, trouble, unfit
+from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import EXCEEDS, Clause, Measure, Trouble, draft
+from executive.language.phrases.values import EXCEEDS, Clause, Measure, draft
 
 FORWARD_M_S = 0.3
 """Speed of ``move_forward``; backward is its negative."""
@@ -34,10 +34,6 @@ _ANGULAR = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
 NO_DIRECTION = "in which direction?"
 
 
-class ExceededError(TroubleError):
-    """A limit is exceeded, which holds however the rest is read."""
-
-
 def bounded(measure: Measure, longest: float | None = None) -> float:
     """The value in SI units, if it is within the limits: what exceeds them is refused, never clamped.
 
@@ -49,7 +45,7 @@ def bounded(measure: Measure, longest: float | None = None) -> float:
     if measure.value <= 0:
         raise trouble(f"a {name} of {value} is nothing to do", value)
     if measure.value > limit:
-        raise ExceededError(Trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value))
+        raise trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value)
     return measure.value
 
 
@@ -82,12 +78,7 @@ def _move_on(parts: Parts) -> Clause:
     turned = any(isinstance(one, Measure) and one.of == "angle" for one in parts)
     if not words(parts, "FORWARD", "BACKWARD", *(("TURN_SIDE",) if turned else ())):
         raise unfit()
-    try:
-        return replace(_move(parts), terse=True)
-    except ExceededError:
-        raise
-    except TroubleError:
-        raise unfit() from None  # what is wrong is said of the reading with a verb
+    return replace(_move(parts), terse=True)
 
 
 def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, float]:
