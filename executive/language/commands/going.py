@@ -8,7 +8,7 @@ from dataclasses import replace
 from executive.language.commands import meanings
 from executive.language.commands.moving import bounded
 from executive.language.phrases.arranging import ME, arranged, clause, trouble, unfit
-from executive.language.phrases.lists import named_together, said_again, spoken
+from executive.language.phrases.lists import Joined, said_again, spoken
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Item, Measure, Nominal, Relative, draft, relation_kind
 from executive.language.resolve.kinds import listed
@@ -67,7 +67,9 @@ def _walk(parts: Parts) -> Clause:
         if again is not None:
             raise trouble(again.message, asks=True)
     *earlier, last = (draft("walk_to", to=goal) for goal in goals)
-    last = last.with_slot("together", named_together(goals, parts) or None)
+    if any(isinstance(part, Joined) and not part.then for part in parts):  # "there" may be each of them
+        also = tuple(goal for goal in goals[:-1] if isinstance(goal, Nominal) and goal.is_place)
+        last = last.with_slot("together", also or None)
     return clause(parts, [(one,) for one in (*earlier, last)])
 
 

@@ -60,9 +60,7 @@ def _move(parts: Parts) -> Clause:
     angular = math.copysign(measures.get("angular_speed", abs(angular)), angular)
     duration, distance = measures.get("duration"), measures.get("distance")
     if "angle" in measures:
-        duration = measures["angle"] / abs(angular)
-        if duration > MAX_DURATION_S:
-            raise unfit()
+        duration = bounded(Measure("duration", measures["angle"] / abs(angular), ""))
     move = draft(
         "move",
         linear_m_s=round(linear, 3),

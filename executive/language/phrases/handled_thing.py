@@ -66,7 +66,7 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     """The task of looking for something; ``existing`` is whether it is asked if there is any such thing.
 
     A bare plural is satisfied by one ("find cups"), "the cups" are all of them. Where several cannot be told,
-    as furniture that is seen in parts, the task comes with a question: another reading may know better.
+    as furniture that is seen in parts, it is asked which one is meant, whatever else the words may mean.
     """
     if existing and (nominal.counted or nominal.count == "many"):
         raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))

@@ -127,9 +127,8 @@ def _moved_already(told: Discourse, order: Order) -> Trouble | None:
 
 def _left_somewhere(told: Discourse, order: Order) -> Trouble | None:
     """Leave the cup on the table: whether it is there already."""
-    if order.said.get("stays") and order.root not in told.held:
-        return _asked("shall it be put there, or stay where it is?")
-    return None
+    stays = order.said.get("stays") and order.root not in told.held
+    return _asked("shall it be put there, or stay where it is?") if stays else None
 
 
 def _same_twice(told: Discourse, order: Order) -> Trouble | None:
