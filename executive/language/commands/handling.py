@@ -145,6 +145,10 @@ def _can_i_have(parts: Parts) -> Clause:
 def _wants(parts: Parts) -> Clause:
     """A wish, of whoever speaks or of somebody else: whether it is an order is asked."""
     who = next((part for part in parts if isinstance(part, Nominal)), ME)
+    for one in arranged(parts):
+        thing(one, "wanting")
+        if one.goal is not None:
+            raise unfit()
     raise trouble(f"shall it be brought to {'you' if who.sort == 'me' else spoken(who)}?", asks=True)
 
 

@@ -8,8 +8,8 @@ from executive.language.commands import meanings
 from executive.language.phrases.arranging import Arranged, arranged, clause, trouble, unfit
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
-from executive.language.phrases.parts import Parts, always, senses, words
-from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Trouble, Where, draft
+from executive.language.phrases.parts import Parts, senses, words
+from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Where, draft
 from executive.language.resolve.kinds import listed
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
@@ -36,6 +36,8 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
         return draft("place", **slots, there=goal)
     if of.is_person or of.sort == "you":
         raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
+    if of.sort == "door" and goal.preposition == "at":
+        return draft("place", **slots, to=Relative("next_to", of))
     inside, upon = goal.preposition == "in", goal.preposition == "on"
     shelved = of.sort != "furniture" or of.kind in listed("shelves")
     if of.sort == "door" or (inside and not shelved):
@@ -81,6 +83,12 @@ def _discard(parts: Parts) -> Clause:
     if any(one.is_handled or one.person or (one.source and one.source.kind == BIN.kind) for one in each):
         raise unfit()
     return clause(parts, [(put_draft(thing(one, "throwing"), goal, one.source, None),) for one in each])
+
+
+def _drop(parts: Parts) -> Clause:
+    for one in arranged(parts):
+        thing(one, "dropping")
+    raise trouble("where shall it be put?", asks=True)
 
 
 def _move_thing(parts: Parts) -> Clause:
@@ -138,7 +146,7 @@ MEANINGS = meanings(
         "put": _put,
         "put_into": _move_thing,
         "move_thing": _move_thing,
-        "drop": always(Trouble("where shall it be put?", asks=True)),
+        "drop": _drop,
         "discard": _discard,
         "open": _opened,
         "close": _opened,
