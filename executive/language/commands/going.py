@@ -41,7 +41,8 @@ def one_of_them(of: Nominal) -> Nominal:
 
 def _toward(parts: Parts) -> Nominal:
     """Where to; an animal is not followed, and into something that is no room would be a collision."""
-    goal = target(replace(parts[-1], of=one_of_them(parts[-1].of)))
+    to_it = not words(parts, "RELATION", "NEXT_TO", "APPROACH", "MEET")
+    goal = target(replace(parts[-1], of=one_of_them(parts[-1].of)) if to_it else parts[-1])
     if goal.sort == "animal":
         raise trouble(f"walking after an animal ({goal.kind!r}) is no skill of this robot", goal.kind)
     links = words(parts, "TO_ALSO", "TO", "IN", "INTO")

@@ -111,7 +111,7 @@ def _door_to_a_room(one: Arranged) -> Arranged:
     """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
     door, goal = one.object, one.goal
     named = door.sort != "door" or door.name is not None
-    if named or goal is None or goal.preposition != "to" or goal.of.sort != "room":
+    if named or goal is None or goal.preposition != "to" or goal.of.sort != "room" or not goal.of.is_plain:
         return one
     return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
 

@@ -146,8 +146,8 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     if goals and goals[0].of.reference == "there" and any(where.role == "either" for where in wheres):
         raise trouble("which place is meant, the one that is named or the one before?", asks=True)
     goal = goals[0] if goals else _goal(item.of, wheres, open_ones)
-    if result.is_for_another and goal.of.is_person and goal.of != result.person:
-        raise trouble("for whom is it?", asks=True)  # "hand the cup for Ana to Ben"
+    if result.is_for_another and goal.of != result.person:
+        raise trouble("for whom is it, or where shall it go?", asks=True)  # "hand the cup for Ana to Ben"
     index = wheres.index(goals[0] if goals else open_ones[0])
     before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
     for where in after:
@@ -208,6 +208,8 @@ def _told(goal: Where, where: Where) -> Where:
     if of.sort == "me" and where.of.is_place:
         raise trouble(f"are you at the {where.of.kind}, or shall it be put there?", asks=True)
     if of.reference or of.sort in ("me", "you") or (where.posture and of.sort == "person"):
+        raise unfit()
+    if where.relation is None and of.is_place and where.of.sort != "room":
         raise unfit()
     if _is_spot(goal, where):
         beside = checked(where.of.placed(Relative("on", of)))

@@ -77,6 +77,8 @@ def _part_of(parts: Parts) -> Nominal | Trouble | None:
     """The top drawer of the desk: the drawer that is in it, and no other."""
     *_, whole = words(parts, "FURNITURE", "CONTAINER")
     (part,) = words(parts, "DRAWER_OF", "SHELF_OF", "DOOR")
+    if part.meaning == whole.meaning or (part.word_class == "DOOR" and part.meaning != "door"):
+        return None
     of = Nominal(_SORTS[whole.word_class], whole.meaning, determined=True, said=whole.said)
     named = Nominal(_SORTS[part.word_class], part.meaning, determined=True, relation=Relative("in", of))
     return described(named, parts)
