@@ -5,29 +5,24 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.commands.going import target
-from executive.language.phrases.arranging import (
-    TroubleError,
-    arranged,
-    clause,
-    found_there,
-    trouble,
-    unfit,
-)
+from executive.language.phrases.arranging import arranged, checked, clause, found_there, trouble, unfit
 from executive.language.phrases.features import SUPERLATIVES
 from executive.language.phrases.handled_thing import looked_for
-from executive.language.phrases.parts import Parts, senses, words
+from executive.language.phrases.nominals import COLLECTIVE
+from executive.language.phrases.parts import Parts, always, senses, words
 from executive.language.phrases.values import (
     Clause,
     Draft,
     Item,
     Items,
     Nominal,
+    Relative,
+    Trouble,
     Where,
     draft,
     relation_kind,
-    wears,
 )
 from executive.language.text.word import Word
 
@@ -43,22 +38,18 @@ def _asked(
             raise unfit()
         place = one.source or source
         if nominal.sort == "person" and place is not None and place.sort == "thing":
-            raise TroubleError(wears(nominal, place))
+            checked(nominal.placed(Relative("in", place)))
         if nominal.sort == "you" or (nominal.sort == "me" and action != "find"):
             raise unfit()
         if nominal.reference == "this":
             raise trouble("which one is meant?", asks=True)
-        if nominal.count == "many":
-            raise trouble("whether there are many of them is not told; how many there are can be counted")
         if action == "find":
             if _is_nothing_named(nominal):
                 raise trouble("which object is meant?", asks=True)
             drafts.append(looked_for(nominal, place, existing=existing))
             continue
-        if nominal.is_vague:
+        if nominal.is_vague or (nominal.counted and nominal.count != "all"):
             raise unfit()
-        if nominal.counted and nominal.count != "all":
-            raise trouble(f"how many to {action} cannot be chosen", str(nominal.count))
         several = nominal.plural and nominal.determined and not nominal.reference
         if several and action == "describe" and not _is_all_there(nominal):
             raise trouble("which one of them shall be described?", asks=True, rivals=True)
@@ -74,7 +65,7 @@ def _is_nothing_named(nominal: Nominal) -> bool:
 _QUESTIONS = ("WHAT_IS", "SEE", "WHERE_IS", "IS_THERE", "IS_IT", "HOW_MANY", "COLOR_OF", "SUPERLATIVE_WHAT")
 
 
-def _alone(drafts: list[Draft], parts: Parts, there: bool | str = False) -> Clause:
+def _alone(drafts: list[Draft], parts: Parts, there: bool | tuple[str, ...] = False) -> Clause:
     """Each by itself, with a mark whether it begins as a question does."""
     asks = bool(words(parts[:1], *_QUESTIONS))
     each = [(one.with_slot("there_are", there or None),) for one in drafts]
@@ -83,18 +74,12 @@ def _alone(drafts: list[Draft], parts: Parts, there: bool | str = False) -> Clau
 
 def _find(parts: Parts) -> Clause:
     found = _asked(parts, "find", existing=bool(words(parts, "IS_THERE", "IF_THERE")))
-    return _alone(found, parts, "opened" if words(parts, "IF_THERE") else _there(parts))
+    return _alone(found, parts, ("object",) if words(parts, "IF_THERE") else _there(parts))
 
 
 def _there(parts: Parts) -> bool:
     """Whether it is asked what is "there", which may be the place that was named before."""
     return "there" in senses(parts, "IS_THERE", "THERE_ARE", "LEFT_OVER")
-
-
-def _find_for_me(parts: Parts) -> Clause:
-    """Find me a pen: it is found; whether it is wanted too, is not said."""
-    arranged(parts)
-    raise trouble("shall it only be found, or be brought to you?", asks=True)
 
 
 def _whether(parts: Parts) -> Clause:
@@ -126,7 +111,7 @@ def _search(parts: Parts) -> Clause:
 
 
 def _count(parts: Parts) -> Clause:
-    counted, collective = _asked(parts, "count"), word_lists()["collective"]
+    counted = _asked(parts, "count")
     for one in counted:
         nominal, source = one.get("object"), one.get("source")
         if words(parts, "HOW_MANY") and source is not None and source.reference == "there":
@@ -134,7 +119,7 @@ def _count(parts: Parts) -> Clause:
         if nominal.reference:
             raise trouble("name what shall be counted", nominal.reference)
         if nominal.sort in ("me", "name") or not (
-            nominal.plural or nominal.paired or nominal.kind in collective
+            nominal.plural or nominal.paired or nominal.kind in COLLECTIVE
         ):
             raise unfit()
     return _alone(counted, parts, _there(parts))
@@ -188,7 +173,7 @@ def _is_before_the_robot(nominal: Nominal) -> bool:
 MEANINGS = meanings(
     {
         "find": _find,
-        "find_for_me": _find_for_me,
+        "find_for_me": always(Trouble("shall it only be found, or be brought to you?", asks=True)),
         "whether": _whether,
         "search": _search,
         "count": _count,

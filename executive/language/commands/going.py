@@ -5,20 +5,13 @@ from __future__ import annotations
 import itertools
 from dataclasses import replace
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.commands.moving import bounded
 from executive.language.phrases.arranging import ME, arranged, clause, trouble, unfit
-from executive.language.phrases.lists import named_together, said_again, spoken
+from executive.language.phrases.lists import Joined, said_again, spoken
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import (
-    Clause,
-    Item,
-    Measure,
-    Nominal,
-    Relative,
-    draft,
-    relation_kind,
-)
+from executive.language.phrases.values import Clause, Item, Measure, Nominal, Relative, draft, relation_kind
+from executive.language.resolve.kinds import listed
 
 MAX_WAIT_S = 3600.0
 """A robot that waits stands; beyond it the number is taken for a mistake."""
@@ -46,18 +39,14 @@ def one_of_them(of: Nominal) -> Nominal:
     return replace(of, plural=False) if several else of
 
 
-def _standing(goal: Nominal) -> Nominal:
-    """Somewhere to walk to: an animal is not followed."""
+def _toward(parts: Parts) -> Nominal:
+    """Where to; an animal is not followed, and into something that is no room would be a collision."""
+    to_it = not words(parts, "RELATION", "NEXT_TO", "APPROACH", "MEET")
+    goal = target(replace(parts[-1], of=one_of_them(parts[-1].of)) if to_it else parts[-1])
     if goal.sort == "animal":
         raise trouble(f"walking after an animal ({goal.kind!r}) is no skill of this robot", goal.kind)
-    return goal
-
-
-def _toward(parts: Parts) -> Nominal:
-    """Where to; into something that is no room would be a collision."""
-    goal = _standing(target(replace(parts[-1], of=one_of_them(parts[-1].of))))
     links = words(parts, "TO_ALSO", "TO", "IN", "INTO")
-    if links and goal.kind in word_lists()["beds"] and not goal.determined:
+    if links and goal.kind in listed("beds") and not goal.determined:
         raise trouble("to the bed? it is nothing for this robot to sleep in", goal.kind, asks=True)
     if "in" in senses(links, "TO_ALSO", "IN", "INTO") and goal.sort not in ("room", "any"):
         raise trouble(f"walking {links[0].said} {spoken(goal)} is no skill of this robot", links[0].said)
@@ -65,12 +54,11 @@ def _toward(parts: Parts) -> Nominal:
 
 
 def _toward_relation(parts: Parts) -> Relative:
-    kind = relation_kind(words(parts, "RELATION")[0].meaning)
-    if kind is None:
-        raise unfit()
-    if kind == "under":
-        raise trouble("walking under something is no skill of this robot", words(parts, "RELATION")[0].said)
-    return Relative(kind, _standing(target(parts[-1])))
+    (link,) = words(parts, "RELATION")
+    kind = relation_kind(link.meaning)
+    if kind is None or kind == "under":
+        raise trouble(f"walking {link.said} something is no skill of this robot", link.said)
+    return Relative(kind, _toward(parts))
 
 
 def _walk(parts: Parts) -> Clause:
@@ -80,12 +68,14 @@ def _walk(parts: Parts) -> Clause:
         if again is not None:
             raise trouble(again.message, asks=True)
     *earlier, last = (draft("walk_to", to=goal) for goal in goals)
-    last = last.with_slot("together", named_together(goals, parts) or None)
+    if any(isinstance(part, Joined) and not part.then for part in parts):  # "there" may be each of them
+        also = tuple(goal for goal in goals[:-1] if isinstance(goal, Nominal) and goal.is_place)
+        last = last.with_slot("together", also or None)
     return clause(parts, [(one,) for one in (*earlier, last)])
 
 
 def _approach(parts: Parts) -> Clause:
-    goal = _standing(target(parts[-1]))
+    goal = _toward(parts)
     if "reach" in senses(parts, "APPROACH") and not (goal.is_place and goal.is_plain):
         raise unfit()  # with a hand, or on foot?
     return clause(parts, [(draft("walk_to", to=goal),)])

@@ -4,24 +4,15 @@ from __future__ import annotations
 
 from executive.language.commands import meanings
 from executive.language.commands.placing import put_draft
-from executive.language.phrases.arranging import (
-    ME,
-    Arranged,
-    arranged,
-    clause,
-    found_there,
-    trouble,
-    unfit,
-)
+from executive.language.phrases.arranging import ME, Arranged, arranged, clause, found_there, trouble, unfit
 from executive.language.phrases.handled_thing import (
     ASKER,
+    BIN,
     PREVIOUS,
-    TRASH,
     WHO_IS_MET,
     WHOEVER_IS_THERE,
     count_of,
     has_clear_place,
-    only_for,
     thing,
 )
 from executive.language.phrases.lists import spoken
@@ -32,7 +23,7 @@ from executive.language.phrases.values import Bundle, Clause, Draft, Nominal, dr
 def picked(one: Arranged, *, fetched: bool = False) -> Draft:
     """A thing, picked up; ``fetched`` where it is to be carried on."""
     nominal = thing(one, "picking up")
-    if one.source is not None and one.source.said == TRASH:
+    if one.source == BIN:
         raise trouble("is it in the bin, or shall it go there?", asks=True)
     if fetched:
         has_clear_place(one)
@@ -61,11 +52,9 @@ def _fetch(parts: Parts) -> Clause:
     bundles: list[Bundle] = []
     for one in arranged(parts):
         goal = one.goal
-        if goal is not None and (goal.relation or not (goal.of.is_person or goal.of.reference == "here")):
+        if goal is not None and goal.relation:
             raise unfit()
         person = one.person if goal is None else goal.of
-        if person is not None:
-            only_for(one, person)
         has_clear_place(one)
         bundles.append((picked(one),) if person is None else handed(picked(one), person))
     return clause(parts, bundles)
@@ -93,12 +82,9 @@ def _transport(one: Arranged) -> Bundle:
     taken = picked(one, fetched=True)
     goal, beside = one.goal, one.object.relation
     if goal is None:
-        somebody = beside is not None and beside.to.is_person and beside.to.sort != "me"
-        if beside is not None and somebody and one.person is None and beside.kind != "nearest":
-            where = f"{beside.kind.replace('_', ' ')} {beside.to.kind}"
-            raise trouble(f"is it {where}, or shall it go there?", asks=True)
+        if beside is not None and beside.to.is_person and beside.to.sort != "me" and one.person is None:
+            raise trouble(f"is it by {beside.to.kind}, or shall it go there?", asks=True)
         return handed(taken, one.person or ASKER)
-    only_for(one, goal.of)
     if goal.relation is None and (goal.of.is_person or goal.of.reference == "here"):
         return handed(taken, goal.of)
     if goal.of.reference == "there":
@@ -121,8 +107,6 @@ def _give(parts: Parts) -> Clause:
     each = arranged(parts)
     bundles = []
     for one in each:
-        if one.goal is not None and one.goal.relation is not None:
-            raise unfit()
         person = one.goal.of if one.goal is not None else one.person
         if person is None:
             if all(other.object.is_person for other in each):
@@ -131,7 +115,6 @@ def _give(parts: Parts) -> Clause:
             if not (passes or "over" in how):
                 raise trouble("to whom?", asks=True)
             person = WHOEVER_IS_THERE if passes else WHO_IS_MET
-        only_for(one, person)
         bundles.append(given(one, person))
     return clause(parts, bundles)
 
@@ -162,8 +145,6 @@ def _can_i_have(parts: Parts) -> Clause:
 def _wants(parts: Parts) -> Clause:
     """A wish, of whoever speaks or of somebody else: whether it is an order is asked."""
     who = next((part for part in parts if isinstance(part, Nominal)), ME)
-    if who.reference or not (who.is_person and who.is_single):
-        raise unfit()
     for one in arranged(parts):
         thing(one, "wanting")
         if one.goal is not None:

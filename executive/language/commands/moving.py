@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from executive.language.commands import meanings
-from executive.language.phrases.arranging import TroubleError, clause, trouble, unfit
+from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import EXCEEDS, Clause, Measure, Trouble, draft
+from executive.language.phrases.values import EXCEEDS, Clause, Measure, draft
 
 FORWARD_M_S = 0.3
 """Speed of ``move_forward``; backward is its negative."""
@@ -34,10 +34,6 @@ _ANGULAR = {"left": TURN_RAD_S, "right": -TURN_RAD_S}
 NO_DIRECTION = "in which direction?"
 
 
-class ExceededError(TroubleError):
-    """A limit is exceeded, which holds however the rest is read."""
-
-
 def bounded(measure: Measure, longest: float | None = None) -> float:
     """The value in SI units, if it is within the limits: what exceeds them is refused, never clamped.
 
@@ -49,7 +45,7 @@ def bounded(measure: Measure, longest: float | None = None) -> float:
     if measure.value <= 0:
         raise trouble(f"a {name} of {value} is nothing to do", value)
     if measure.value > limit:
-        raise ExceededError(Trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value))
+        raise trouble(f"the {name} of {value} {EXCEEDS} {limit:g} {unit}", value)
     return measure.value
 
 
@@ -64,9 +60,7 @@ def _move(parts: Parts) -> Clause:
     angular = math.copysign(measures.get("angular_speed", abs(angular)), angular)
     duration, distance = measures.get("duration"), measures.get("distance")
     if "angle" in measures:
-        duration = measures["angle"] / abs(angular)
-        if duration > MAX_DURATION_S:
-            raise unfit()
+        duration = bounded(Measure("duration", measures["angle"] / abs(angular), ""))
     move = draft(
         "move",
         linear_m_s=round(linear, 3),
@@ -82,34 +76,29 @@ def _move_on(parts: Parts) -> Clause:
     turned = any(isinstance(one, Measure) and one.of == "angle" for one in parts)
     if not words(parts, "FORWARD", "BACKWARD", *(("TURN_SIDE",) if turned else ())):
         raise unfit()
-    try:
-        return replace(_move(parts), terse=True)
-    except ExceededError:
-        raise
-    except TroubleError:
-        raise unfit() from None  # what is wrong is said of the reading with a verb
+    return replace(_move(parts), terse=True)
 
 
 def _direction(parts: Parts, measures: Mapping[str, float]) -> tuple[float, float]:
     """Signed speeds, in m/s and rad/s, of which one is zero."""
     headings = ("FORWARD", "BACKWARD", "BRIDGE", "BACK_UP", "TURN_SIDE", "LEFT_RIGHT")
-    said = next((one.meaning.partition(":")[0] for one in words(parts, *headings)), None)
+    heading = next((one.meaning.partition(":")[0] for one in words(parts, *headings)), None)
     how = senses(parts, "MOVE")
-    turns = bool(words(parts, "TURN", "A_TURN")) or said in _ANGULAR
+    turns = bool(words(parts, "TURN", "A_TURN")) or heading in _ANGULAR
     if turns and not words(parts, "TURN", "A_TURN", "BRIDGE") and "angle" not in measures:
-        raise trouble(f"moving sideways ({said!r}) is no skill of this robot", said)
+        raise trouble(f"moving sideways ({heading!r}) is no skill of this robot", heading)
     wrong = {"distance", "linear_speed"} if turns else {"angle", "angular_speed"}
     if wrong & set(measures) or ("duration" in measures and {"distance", "angle"} & set(measures)):
         raise unfit()
-    if said == "ahead" and not measures:
+    if heading == "ahead" and not measures:
         raise trouble("walk ahead, or go on with what?", asks=True)
-    if said == "back" and not measures and "step" not in how:
+    if heading == "back" and not measures and "step" not in how:
         raise trouble("back to where, or backward?", asks=True)
-    if said is None and ("advance" in how or ("distance" in measures and "walk" in how)):
-        said = "forward"
-    if said is None:
+    if heading is None and ("advance" in how or ("distance" in measures and "walk" in how)):
+        heading = "forward"
+    if heading is None:
         raise trouble("to the left or to the right?" if turns else NO_DIRECTION, asks=True)
-    return (0.0, _ANGULAR[said]) if turns else (_LINEAR[said], 0.0)
+    return (0.0, _ANGULAR[heading]) if turns else (_LINEAR[heading], 0.0)
 
 
 def _turn_around(parts: Parts) -> Clause:

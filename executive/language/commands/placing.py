@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.phrases.arranging import Arranged, arranged, clause, trouble, unfit
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Where, draft
+from executive.language.resolve.kinds import listed
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 
-HOLDERS = word_lists()["holders"]
+HOLDERS = listed("holders")
 """Things that others are put into or onto."""
-
-
-def one_at_a_time(action: str) -> str:
-    """The refusal of opening or closing several things at once."""
-    return f"only one at a time can be told to {action}; name each of them"
 
 
 def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str | None) -> Draft:
@@ -40,37 +34,26 @@ def put_draft(nominal: Nominal, goal: Where, source: Nominal | None, hand: str |
         raise trouble("where shall it be put?", asks=True)
     if of.reference == "there":
         return draft("place", **slots, there=goal)
-    if of.is_person:
+    if of.is_person or of.sort == "you":
         raise trouble(f"nothing is put on or into a person ({of.kind!r})", of.kind)
-    if of.sort == "you":
-        raise unfit()
-    if of.sort == "door":
-        if goal.preposition == "at":
-            return draft("place", **slots, to=Relative("next_to", of))
+    if of.sort == "door" and goal.preposition == "at":
+        return draft("place", **slots, to=Relative("next_to", of))
+    inside, upon = goal.preposition == "in", goal.preposition == "on"
+    shelved = of.sort != "furniture" or of.kind in listed("shelves")
+    if of.sort == "door" or (inside and not shelved):
         raise trouble(f"nothing can be put on or into the {of.kind}", of.kind)
-    if goal.preposition == "in":
-        return _put_into(slots, of)
-    if of.sort == "furniture":
-        if goal.preposition == "at" and kind_called(of.kind or "") not in word_lists()["surfaces"]:
-            raise trouble(f"on the {of.kind}, or next to it?", asks=True)
+    if inside and of.sort not in ("room", "furniture"):
+        return draft("put_in", **slots, to=of)
+    beside = of.sort == "furniture" and kind_called(of.kind or "") not in listed("surfaces")
+    if goal.preposition == "at" and beside:
+        raise trouble(f"on the {of.kind}, or next to it?", asks=True)
+    if of.sort == "furniture" or (upon and of.sort != "room"):
         return draft("place", **slots, on=of)
-    if goal.preposition == "on" and of.sort != "room":
-        return draft("place", **slots, on=of)
-    if goal.preposition != "on" and of.sort in ("container", "room"):
+    if not upon and of.sort in ("container", "room"):
         return draft("place", **slots, to=of)
     if of.sort == "thing" and goal.preposition == "to" and of.is_single:
         raise trouble(f"into the {of.kind}, onto it or next to it?", asks=True)
     raise unfit()
-
-
-def _put_into(slots: Mapping[str, Any], of: Nominal) -> Draft:
-    if of.sort == "room":
-        return draft("place", **slots, to=of)
-    if of.sort == "furniture" and of.kind in word_lists()["shelves"]:
-        return draft("place", **slots, on=of)
-    if of.sort == "furniture":
-        raise trouble(f"nothing can be put into the {of.kind}", of.kind)
-    return draft("put_in", **slots, to=of)
 
 
 def _put(parts: Parts) -> Clause:
@@ -96,14 +79,16 @@ def _put(parts: Parts) -> Clause:
 
 def _discard(parts: Parts) -> Clause:
     """What is thrown away goes into the bin."""
-    bundles = []
+    each, goal = arranged(parts), Where("to", BIN, "in")
+    if any(one.is_handled or one.person or (one.source and one.source.kind == BIN.kind) for one in each):
+        raise unfit()
+    return clause(parts, [(put_draft(thing(one, "throwing"), goal, one.source, None),) for one in each])
+
+
+def _drop(parts: Parts) -> Clause:
     for one in arranged(parts):
-        in_the_bin = one.source is not None and one.source.kind == BIN.kind
-        if in_the_bin or one.goal is not None or one.back or one.person is not None:
-            raise unfit()
-        goal = Where("to", BIN, "in")
-        bundles.append((put_draft(thing(one, "throwing"), goal, one.source, one.hand),))
-    return clause(parts, bundles)
+        thing(one, "dropping")
+    raise trouble("where shall it be put?", asks=True)
 
 
 def _move_thing(parts: Parts) -> Clause:
@@ -122,49 +107,38 @@ def _move_thing(parts: Parts) -> Clause:
     return clause(parts, bundles)
 
 
-def _drop(parts: Parts) -> Clause:
-    for one in arranged(parts):
-        thing(one, "dropping")
-        if one.goal is not None or one.source is not None or one.back:
-            raise unfit()
-    raise trouble("where shall it be put?", asks=True)
-
-
 def _door_to_a_room(one: Arranged) -> Arranged:
     """Read "the door to the kitchen" as the kitchen door: what is opened goes nowhere."""
     door, goal = one.object, one.goal
-    if door.sort != "door" or goal is None or goal.preposition != "to" or goal.of.sort != "room":
-        return one
-    if door.name is not None or not goal.of.is_plain:
+    named = door.sort != "door" or door.name is not None
+    if named or goal is None or goal.preposition != "to" or goal.of.sort != "room" or not goal.of.is_plain:
         return one
     return replace(one, object=replace(door, name=f"{goal.of.kind} {door.kind}"), goal=None)
 
 
-def _opened(action: str) -> Callable[[Parts], Clause]:
-    def meaning(parts: Parts) -> Clause:
-        each = [_door_to_a_room(one) for one in arranged(parts, has_source=False)]
-        named: list[Nominal] = []
-        for one in each:
-            nominal = another_of(one.object, named)
-            named.append(nominal)
-            if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
-                raise unfit()
-            where = nominal.relation
-            behind = where is not None and where.kind == "behind" and not where.to.is_place
-            if nominal.reference == "this" or behind:
-                raise trouble("which one is meant?", asks=True)  # "the door behind you"
-            if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
-                raise trouble(one_at_a_time(action), nominal.kind)
-            told = nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain
-            if not (told or nominal.reference or nominal.sort in ("container", "door")):
-                what = nominal.kind or "thing"
-                message = f"to {action} {with_article(what)} ({what!r}) is nothing that this robot can do"
-                raise trouble(message, what)
-        pairs = zip(each, named, strict=True)
-        opened = clause(parts, [(draft(action, object=of, hand=one.hand),) for one, of in pairs])
-        return replace(opened, about=tuple(one.person for one in each if one.person is not None))
-
-    return meaning
+def _opened(parts: Parts) -> Clause:
+    action = "close" if words(parts, "CLOSE", "CLOSED") else "open"
+    each = [_door_to_a_room(one) for one in arranged(parts, has_source=False)]
+    named: list[Nominal] = []
+    for one in each:
+        nominal = another_of(one.object, named)
+        named.append(nominal)
+        if one.goal is not None or one.back or (one.person is not None and not one.person.is_person):
+            raise unfit()
+        where = nominal.relation
+        behind = where is not None and where.kind == "behind" and not where.to.is_place
+        if nominal.reference == "this" or behind:
+            raise trouble("which one is meant?", asks=True)  # "the door behind you"
+        if nominal.sort != "thing" and (nominal.count != 1 or nominal.plural):
+            raise trouble(f"only one at a time can be told to {action}; name each of them", nominal.kind)
+        told = nominal.anaphoric and nominal.sort == "any" and not nominal.is_plain
+        if not (told or nominal.reference or nominal.sort in ("container", "door")):
+            what = nominal.kind or "thing"
+            message = f"to {action} {with_article(what)} ({what!r}) is nothing that this robot can do"
+            raise trouble(message, what)
+    pairs = zip(each, named, strict=True)
+    opened = clause(parts, [(draft(action, object=of, hand=one.hand),) for one, of in pairs])
+    return replace(opened, about=tuple(one.person for one in each if one.person is not None))
 
 
 MEANINGS = meanings(
@@ -174,7 +148,7 @@ MEANINGS = meanings(
         "move_thing": _move_thing,
         "drop": _drop,
         "discard": _discard,
-        "open": _opened("open"),
-        "close": _opened("close"),
+        "open": _opened,
+        "close": _opened,
     }
 )

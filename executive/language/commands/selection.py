@@ -9,7 +9,8 @@ from executive.language.commands import meanings
 from executive.language.commands.going import target
 from executive.language.phrases.features import described
 from executive.language.phrases.values import Item, Nominal, Trouble, Where
-from executive.language.resolve import references
+from executive.language.resolve import places
+from executive.language.resolve.discourse import Discourse, UnresolvedError
 from trees.tasks import ObjectDescription
 
 
@@ -35,8 +36,8 @@ def _selection(parts: tuple[Any, ...]) -> Selection | Trouble | None:
 def description_of(selection: Selection) -> ObjectDescription | None:
     """The description that is compared with what is seen."""
     try:
-        described = references.description_of(selection.of)
-    except references.UnresolvedError:
+        described = places.described(Discourse(), selection.of)
+    except UnresolvedError:
         return None
     return described if isinstance(described, ObjectDescription) else None
 

@@ -17,16 +17,7 @@ from executive.language.commands.gestures import somebody
 from executive.language.commands.going import one_of_them, target
 from executive.language.phrases.arranging import clause, trouble, unfit
 from executive.language.phrases.parts import Parts, words
-from executive.language.phrases.values import (
-    Bundle,
-    Clause,
-    Item,
-    Items,
-    Nominal,
-    Relative,
-    Where,
-    draft,
-)
+from executive.language.phrases.values import Bundle, Clause, Item, Items, Nominal, Relative, Where, draft
 from executive.language.resolve.kinds import task_type
 from executive.language.text.word import Word
 
@@ -79,8 +70,6 @@ def _check(verb: Word, known: set[str], slots: Mapping[str, Any]) -> None:
             continue
         if verb.word_class == "SKILL_TO":
             raise unfit()
-        if slot == "object" and value.reference == "it":
-            raise trouble("who is meant?", asks=True)
         what = value.said or value.kind or "that"
         raise trouble(f"{verb.said!r} is not done to {what!r}", value.kind)
 
@@ -103,8 +92,6 @@ def _listener(parts: Parts) -> Nominal | None:
     person = next((part for part in parts if isinstance(part, Nominal)), None)
     if person is None or person.sort == "me":
         return None
-    if person.plural and not person.reference:
-        raise trouble("several people at once: name one", person.kind)
     return somebody(person, "telling")
 
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 import itertools
 import re
 
-from executive.language.commands import meanings, word_lists
+from executive.language.commands import meanings
 from executive.language.phrases.arranging import ME, clause, trouble, unfit
 from executive.language.phrases.lists import Joined
 from executive.language.phrases.parts import Parts, senses, words
 from executive.language.phrases.values import Clause, Nominal, draft
 from executive.language.resolve.discourse import is_them
+from executive.language.resolve.kinds import listed
 from executive.language.text.lattice import TIME
 
 UNQUOTED = "which words shall be said? put them in quotation marks"
@@ -28,31 +29,32 @@ _SENTENCES = re.compile(r"[.;!?]\s")
 
 def _is_greeting(text: str) -> bool:
     """Whether every word is a greeting, a number, or, after a greeting, a name."""
-    known = word_lists()["greetings"]
+    known = listed("greetings")
     first, *rest = re.findall(r"[\w']+", text) or [""]
-    begins = (first.lower() in known or first.isdecimal()) and not word_lists()["joins"] >= {text.lower()}
+    begins = (first.lower() in known or first.isdecimal()) and not listed("joins") >= {text.lower()}
     return begins and all(one.lower() in known or one.isdecimal() or one[0].isupper() for one in rest)
 
 
 def _is_stated(lowered: str) -> bool:
     """Whether there is a subject and a verb: somebody is told something."""
-    lists, said = word_lists(), re.findall(r"[\w']+", lowered.partition(",")[0])
-    if not said or said[0] in lists["stated"] or not lists["states"].isdisjoint(said[1:]):
+    said = re.findall(r"[\w']+", lowered.partition(",")[0])
+    if not said or said[0] in listed("stated") or not listed("states").isdisjoint(said[1:]):
         return bool(said)
     return any(
-        one.endswith("'s") and after in lists["states_of_things"] for one, after in itertools.pairwise(said)
+        one.endswith("'s") and after in listed("states_of_things") for one, after in itertools.pairwise(said)
     )
 
 
 def _is_told(lowered: str) -> bool:
     """Whether it begins with a subject and any verb, as behind "that": "the doctor comes at five"."""
     first, *rest = re.findall(r"[\w']+", lowered)
-    verb = rest[first in word_lists()["determiners"] :][:1]
-    return any(one.endswith(("s", "ed")) and not one.endswith("'s") for one in verb)
+    verb = rest[first in listed("determiners") :][:1]
+    ends = tuple(listed("verb_ends"))
+    return any(one.endswith(ends) and not one.endswith("'s") for one in verb)
 
 
 def _begins(lowered: str, phrases: str) -> bool:
-    return any(re.match(rf"{re.escape(one)}(?!['\w])", lowered) for one in word_lists()[phrases])
+    return any(re.match(rf"{re.escape(one)}(?!['\w])", lowered) for one in listed(phrases))
 
 
 def _speech(parts: Parts) -> str:
@@ -66,9 +68,9 @@ def _speech(parts: Parts) -> str:
     that = bool(words(parts, "THAT")) or "that" in senses(parts, "SAY")
     greeting, stated = _is_greeting(text), _is_stated(lowered)
     ends = lowered.rstrip(".,!? ").split()[-1:]
-    if '"' in text or text.startswith("'") or not word_lists()["ends_no_speech"].isdisjoint(ends):
+    if '"' in text or text.startswith("'") or not listed("ends_no_speech").isdisjoint(ends):
         raise unfit()
-    to = " to " in lowered and not (stated and words(parts, "TELL"))
+    to = not listed("to_whom").isdisjoint(lowered.split()) and not (stated and words(parts, "TELL"))
     if not that and (to or (_begins(lowered, "begins_no_speech") and not greeting)):
         raise unfit()
     if (
@@ -85,7 +87,7 @@ def _speech(parts: Parts) -> str:
 
 def _is_around(lowered: str) -> bool:
     """Whether some word may begin what is to be done around the saying, or another message."""
-    return not word_lists()["around"].isdisjoint(re.findall(r"[\w']+", lowered))
+    return not listed("around").isdisjoint(re.findall(r"[\w']+", lowered))
 
 
 def _people_told(parts: Parts) -> tuple[Nominal, ...] | None:

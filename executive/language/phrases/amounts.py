@@ -72,18 +72,11 @@ def _number(parts: Parts) -> float | None:
             return total * value
         if value == 100 and 1 <= total < 10:
             total *= value
-        elif index and value >= _least_unit(total):
-            return None
+        elif index and (value >= 100 or (total % 100 and value >= 10) or (total % 10 and value >= 1)):
+            return None  # "five twenty"
         else:
             total += value
     return total
-
-
-def _least_unit(number: float) -> float:
-    """What has to be more than whatever is added to a number: five, to a hundred and to twenty."""
-    if number % 100 == 0:
-        return 100.0
-    return 10.0 if number % 10 == 0 and number % 100 >= 20 else 1.0
 
 
 def _fraction(parts: Parts) -> float | None:

@@ -108,11 +108,9 @@ def arranged(parts: Parts, *, goes: bool = False, has_source: bool = True) -> li
         goes: Whether a bare place says where things go, instead of where they are.
         has_source: Whether the task has a slot for where things are; else it tells them apart.
     """
-    said = [part for part in parts if isinstance(part, (Items, Item))]
-    items = [item for part in said for item in (part.each if isinstance(part, Items) else (part,))]
+    named = [part for part in parts if isinstance(part, (Items, Item))]
+    items = [item for part in named for item in (part.each if isinstance(part, Items) else (part,))]
     loose = tuple(part for part in parts if isinstance(part, (Where, Hand, Benefit)) or part == "back")
-    if not items:
-        raise unfit()
     items[-1] = replace(items[-1], details=(*items[-1].details, *loose))
     each = [_arrange(item, goes=goes, has_source=has_source) for item in items]
     for index in reversed(range(len(items) - 1)):  # what is said of a thing holds for those before it
@@ -148,6 +146,8 @@ def _arrange(item: Item, *, goes: bool, has_source: bool) -> Arranged:
     if goals and goals[0].of.reference == "there" and any(where.role == "either" for where in wheres):
         raise trouble("which place is meant, the one that is named or the one before?", asks=True)
     goal = goals[0] if goals else _goal(item.of, wheres, open_ones)
+    if result.is_for_another and goal.of != result.person:
+        raise trouble("for whom is it, or where shall it go?", asks=True)  # "hand the cup for Ana to Ben"
     index = wheres.index(goals[0] if goals else open_ones[0])
     before, after = wheres[:index], [where for where in wheres[index + 1 :] if where not in open_ones]
     for where in after:
@@ -265,7 +265,5 @@ def _inside(source: Nominal, where: Where) -> Nominal:
     in_a_room = where.of.sort == "room" and source.sort != "room"
     if in_a_room or (source.sort == "thing" and where.of.is_place and where.preposition in ("on", "in")):
         return checked(source.placed(Relative("in", where.of) if in_a_room else where.told))
-    if source != where.of:
-        told = f"two places are named: {str(source.kind)!r} and {str(where.of.kind)!r}"
-        raise trouble(told, str(where.of.kind))
-    return source
+    told = f"two places are named: {str(source.kind)!r} and {str(where.of.kind)!r}"
+    raise trouble(told, str(where.of.kind))

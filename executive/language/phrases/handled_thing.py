@@ -27,9 +27,6 @@ BACK = Nominal("any", reference="there", name="back")
 BIN = Nominal("container", "bin")
 """Where things are thrown away."""
 
-TRASH = "trash"
-"""A word for the bin that says where a thing goes, or is: "the can in the trash"."""
-
 
 def thing(one: Arranged, doing: str) -> Nominal:
     """The object, if it is something that a hand can take."""
@@ -54,17 +51,6 @@ def count_of(nominal: Nominal) -> int | str | None:
     return None if nominal.count == 1 else nominal.count
 
 
-def only_for(one: Arranged, person: Nominal) -> None:
-    """Nobody else may be named to get it: "hand the cup for Ana to Ben".
-
-    Raises:
-        TroubleError: Somebody is.
-    """
-    named = one.person
-    if named is not None and named.sort != "me" and named != person:
-        raise trouble(f"is it for {named.kind} or for {person.kind}?", asks=True)
-
-
 def has_clear_place(one: Arranged) -> None:
     """What somebody is brought "in a cup" or "on a tray" may have to be put there.
 
@@ -80,9 +66,9 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     """The task of looking for something; ``existing`` is whether it is asked if there is any such thing.
 
     A bare plural is satisfied by one ("find cups"), "the cups" are all of them. Where several cannot be told,
-    as furniture that is seen in parts, the task comes with a question: another reading may know better.
+    as furniture that is seen in parts, it is asked which one is meant, whatever else the words may mean.
     """
-    if existing and nominal.counted:
+    if existing and (nominal.counted or nominal.count == "many"):
         raise trouble("whether there are so many is not told; they can be counted", str(nominal.count))
     every = nominal.plural and nominal.determined and not (nominal.counted or nominal.is_vague)
     count = 1 if existing or nominal.reference else "all" if every else nominal.count
@@ -93,4 +79,4 @@ def looked_for(nominal: Nominal, source: Nominal | None, *, existing: bool) -> D
     told_apart = nominal.kind == "person" if nominal.is_person else not nominal.is_place  # guests are not
     if count == 1 or (told_apart and not nominal.is_vague):
         return told
-    return told.with_slot("one_of", f"which one of the {plural(nominal.kind or 'thing')}?")
+    raise trouble(f"which one of the {plural(nominal.kind or 'thing')}?", asks=True, rivals=True)

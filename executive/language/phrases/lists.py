@@ -44,14 +44,6 @@ def _joined(parts: Parts) -> Joined | None:
     return Joined(not said, any(word.meaning == "then" for word in said))
 
 
-def named_together(goals: Sequence[Any], parts: Parts) -> tuple[Nominal, ...]:
-    """The places before the last one that "there" may be as well, unless the last is said to come later."""
-    links = [part for part in parts if isinstance(part, Joined)]
-    if not links or links[-1].then:
-        return ()
-    return tuple(goal for goal in goals[:-1] if isinstance(goal, Nominal) and goal.is_place)
-
-
 def _item(parts: Parts) -> Item | Trouble | None:
     """A noun with its details; "people in the kitchen who are waving" is told by what is said last too."""
     features = tuple(part for part in parts[1:] if isinstance(part, Feature))

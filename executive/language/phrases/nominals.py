@@ -29,7 +29,7 @@ _PLURALS: Mapping[str, str] = {
     **{f"{name}S": name for name in ("KIND", "THING", "ONE", "FURNITURE", "CONTAINER", "DOOR", "ANIMAL")},
     "PEOPLE": "PERSON",
 }
-_COLLECTIVE = frozenset({"fruit", "food"})
+COLLECTIVE = frozenset({"fruit", "food"})
 """Kinds of which the singular may mean several."""
 
 _PRONOUNS: Mapping[str, Nominal] = {
@@ -53,7 +53,7 @@ def _noun(parts: Parts) -> Nominal:
         plural=word.word_class in _PLURALS,
         anaphoric=said_as == "ONE",
         paired=said_as == "PAIR",
-        mass=said_as in ("SUBSTANCE", "PAIR") or (kind in _COLLECTIVE and word.word_class == "KIND"),
+        mass=said_as in ("SUBSTANCE", "PAIR") or (kind in COLLECTIVE and word.word_class == "KIND"),
         said=word.said,
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from executive.language.phrases.handled_thing import BIN, TRASH
+from executive.language.phrases.handled_thing import BIN
 from executive.language.phrases.parts import Parts, always, words
 from executive.language.phrases.values import (
     Benefit,
@@ -87,7 +87,7 @@ def _qualified(parts: Parts) -> Nominal | None:
 
 
 def _trash(parts: Parts) -> Where:
-    return Where("either" if words(parts, "IN") else "to", replace(BIN, said=TRASH), "in")
+    return Where("either" if words(parts, "IN") else "to", BIN, "in")
 
 
 def _pointed(parts: Parts) -> Where:

@@ -121,7 +121,9 @@ class Nominal:
         if self.sort in ("me", "you") or (self.sort == "name" and not may_be_found(relation)):
             return Trouble(f"where {self.kind!r} is cannot be chosen; say it as a task of its own", self.kind)
         if self.sort == "person" and relation.kind == "in" and relation.to.sort == "thing":
-            return wears(self, relation.to)
+            worn = relation.to.said or relation.to.kind
+            told = "somebody is in a room or at furniture, and wears a garment of some colour"
+            return Trouble(f"the {self.kind} in the {worn}: {told}", worn)
         if self.relation is None or self.relation == relation:
             return replace(self, relation=relation)
         inner = self.relation.to.placed(relation) if relation.to.sort == "room" else None
@@ -170,12 +172,6 @@ def may_be_found(relation: Relative) -> bool:
     inside = relation.kind == "in" and of.sort == "room"
     beside = relation.kind == "next_to" and of.is_place
     return inside or beside or (relation.kind == "on" and of.kind in SEATS)
-
-
-def wears(person: Nominal, thing: Nominal) -> Trouble:
-    """The refusal of "the man in the hat": it is no place where he is."""
-    told = "somebody is in a room or at furniture, and wears a garment of some colour"
-    return Trouble(f"the {person.kind} in the {thing.said or thing.kind}: {told}", thing.said or thing.kind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -262,12 +258,11 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A thing that a statement names: where it is, in which state, for whom, or merely that it ``exists``."""
+    """A thing that a statement names: where it is, in which state, or merely that it ``exists``."""
 
     of: Nominal
     source: Nominal | None = None
     state: str | None = None
-    meant_for: Nominal | None = None
     exists: bool = False
 
 
@@ -301,12 +296,8 @@ class Clause:
     said_before: tuple[Nominal, ...] = ()
     terse: bool = False
     number: int | None = None
-    spelled: bool = False
     question: bool = False
     topic: bool = False
-    you: str = ""
-    begun: str = ""
-    placed: bool = False
     hand_first: bool = False
     said_first: bool = False
 

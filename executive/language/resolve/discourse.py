@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from executive.language.phrases.arranging import TroubleError
 from executive.language.phrases.values import Draft, Nominal, Relative, Trouble
 from executive.meaning import Command
 
@@ -31,12 +32,8 @@ _PEOPLE = frozenset({"person", "name"})
 _TOLD_APART = frozenset({"thing", "furniture", "container"})
 
 
-class UnresolvedError(Exception):
+class UnresolvedError(TroubleError):
     """A word that stands for nothing, or for one of several things."""
-
-    def __init__(self, trouble: Trouble) -> None:
-        self.trouble = trouble
-        super().__init__(trouble.message)
 
 
 def ask(message: str, choices: Iterable[str] = ()) -> UnresolvedError:

@@ -110,30 +110,25 @@ def _asked(message: str) -> Trouble:
     return Trouble(message, asks=True)
 
 
-def _in_hand_already(told: Discourse, order: Order) -> Trouble | None:
-    source = order.said.get("source")
-    if order.said.action == "pick" and order.root in told.held:
+def _moved_already(told: Discourse, order: Order) -> Trouble | None:
+    """Take the cup that is in the hand, or put down the one that was given away."""
+    action, named, source = order.said.action, order.named, order.said.get("source")
+    if action == "pick" and order.root in told.held:
         return Trouble("what is named is in the hand already")
-    again = order.said.action == "pick" and order.named is not None and in_hand(told, order.named, source)
-    if again or (order.said.action in PUTS_DOWN and order.root in told.held and source):
+    again = action == "pick" and named is not None and in_hand(told, named, source)
+    if again or (action in PUTS_DOWN and order.root in told.held and source):
         return _asked("it is in the hand by then: is another one meant?")
-    return None
-
-
-def _given_already(told: Discourse, order: Order) -> Trouble | None:
-    given = [one.of for one in told.things if one.task in told.moved("hand_over")]
-    named = order.named if order.said.action == "hand_over" else None
-    again = named is not None and any(one == replace(named, anaphoric=one.anaphoric) for one in given)
-    if again or (order.said.action in PUTS_DOWN and order.root in told.moved("hand_over")):
+    given = [replace(one.of, anaphoric=False) for one in told.things if one.task in told.moved("hand_over")]
+    gives = named is not None and action == "hand_over" and replace(named, anaphoric=False) in given
+    if gives or (action in PUTS_DOWN and order.root in told.moved("hand_over")):
         return _asked("it is given away by then: is another one meant?")
     return None
 
 
 def _left_somewhere(told: Discourse, order: Order) -> Trouble | None:
     """Leave the cup on the table: whether it is there already."""
-    if order.said.get("stays") and order.root not in told.held:
-        return _asked("shall it be put there, or stay where it is?")
-    return _asked("where shall it be put?") if order.said.get("lets_go") else None
+    stays = order.said.get("stays") and order.root not in told.held
+    return _asked("shall it be put there, or stay where it is?") if stays else None
 
 
 def _same_twice(told: Discourse, order: Order) -> Trouble | None:
@@ -190,7 +185,7 @@ def _is_ranked(of: Nominal) -> bool:
 def _told_of_what(told: Discourse, order: Order) -> Trouble | None:
     """Go to the shelf, is there a cup; come and tell me; count the cups and find them."""
     where = order.said.get("there_are")
-    around = [one for one in told.places if where != "opened" or one.role == "object"]
+    around = [one for one in told.places if where is True or one.role in (where or ())]
     if where and order.said.get("source") is None and around:
         return _asked("only there, or in all that is in view?")
     if order.said.get("tells") and told.last_action not in _TOLD:
@@ -215,8 +210,7 @@ def _by_weight(_told: Discourse, order: Order) -> Trouble | None:
 
 _GUARDS: tuple[Guard, ...] = (
     _by_weight,
-    _in_hand_already,
-    _given_already,
+    _moved_already,
     _left_somewhere,
     _same_twice,
     _one_of_several,

@@ -28,7 +28,7 @@ def task_type(action: str) -> Any:
 
 
 def listed(name: str) -> frozenset[str]:
-    """The words of a list of ``hazards.toml`` or ``nouns.toml``, by the name that it has there."""
+    """The words of a list of one of the files of words, by the name that it has there."""
     return frozenset(_tables()[name])
 
 
@@ -40,9 +40,9 @@ def rules(name: str) -> tuple[Mapping[str, Any], ...]:
 @cache
 def _tables() -> Mapping[str, Any]:
     """All lists and rules, read when one is first asked for."""
-    folder = importlib.resources.files("executive.language.resolve")
+    folder = importlib.resources.files("executive.language")
     return {
         name: rows if isinstance(rows[0], dict) else frozenset(rows)
-        for file in ("hazards.toml", "nouns.toml")
+        for file in ("resolve/hazards.toml", "resolve/nouns.toml", "commands/words.toml")
         for name, rows in read_toml(folder.joinpath(file).read_text("utf-8")).items()
     }

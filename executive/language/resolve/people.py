@@ -81,9 +81,7 @@ def asker_or_met(told: Discourse, of: Nominal) -> Nominal:
     person = met(told) if of.name is not None else None
     named = dict.fromkeys(str(one.of.kind) for one in told.named if one.of.sort in ("person", "name"))
     last = told.walks[-1:]
-    if person is not None and [replace(one, relation=None) for one in last] == [
-        replace(person, relation=None)
-    ]:
+    if person is not None and last and replace(last[0], relation=None) == replace(person, relation=None):
         return last[0]
     if named or (of.name == "met" and (told.last_action != "walk_to" or not last or last[0].sort != "me")):
         raise ask("to whom?", ["me", *named])

@@ -30,11 +30,6 @@ def described(told: Discourse, of: Nominal) -> ObjectDescription | str:
         return str(of.kind)
     if of.sort == "name":
         of = replace(of, kind=None, name=of.kind)
-    if relation is not None and relation.to.reference == "there":  # "the door there"
-        room = there(told, relation.to, -1)
-        if room.sort != "room":
-            raise ask("which place does 'there' stand for?")
-        relation = Relative("in", room)
     if of.kind is not None and not of.is_place:
         told = replace(told, kind=of)
     beside = None if relation is None else Relation(relation.kind, _neighbor(told, relation.to))
@@ -51,8 +46,6 @@ def destination(told: Discourse, of: Nominal) -> Any:
         return named.kind
     if named.sort != "name" and (named.count != 1 or (named.plural and not named.reference)):
         raise UnresolvedError(Trouble(f"several places at once ({named.kind!r}): name one", named.kind))
-    if named.is_plain and (of.anaphoric or named.kind is None):
-        raise ask("which one is meant?")  # "put the box in that one"
     if named.is_place and named.is_plain:
         return named.kind
     relation = named.relation

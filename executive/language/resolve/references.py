@@ -23,10 +23,9 @@ from executive.language.resolve.guards import Order, trouble_after, trouble_with
 from executive.language.resolve.kinds import task_type
 from executive.language.resolve.statements import taking_up
 from executive.meaning import Command
-from trees.beliefs.grounding.articles import with_article
 from trees.tasks import FindTask, ObjectOf
 
-__all__ = ["UnresolvedError", "commands_of", "description_of"]
+__all__ = ["UnresolvedError", "commands_of"]
 
 _TO_EACH = frozenset({"wave", "say", "greet", "answer", "look_at", "point_at"})
 """What is done to several people one after the other."""
@@ -35,8 +34,7 @@ _DONE_ONCE = frozenset({"walk_to", "find", "place", "put_in", *OPENS})
 """What need not be done again right after it was done."""
 
 _ASIDE = frozenset(
-    {"there_are", "again", "stays", "holds", "out", "tells", "watches", "inside", "looks_in", "together"}
-    | {"lifts", "reaches", "reports", "one_of", "fetched", "lets_go"}
+    {"there_are", "stays", "out", "tells", "inside", "looks_in", "together", "reports", "fetched"}
 )
 """Slots of a draft that are no slots of a task: how it was said."""
 
@@ -83,11 +81,6 @@ def commands_of(
     if trouble is not None:
         raise UnresolvedError(trouble)
     return tuple(step.command for step in told.steps)
-
-
-def description_of(nominal: Nominal) -> Any:
-    """A nominal that refers to nothing else, as the value of a slot; raises UnresolvedError if it does."""
-    return places.described(Discourse(), nominal)
 
 
 def _is_for_nobody(told: Discourse) -> bool:
@@ -159,13 +152,11 @@ def _not_given_yet(told: Discourse, one: Draft, root: int) -> Discourse:
 
 def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discourse]:
     """What a task is done to, and the discourse with it, unless it is done already."""
-    if one.get("one_of") is not None:  # "find some cups", which only counting them makes clear
-        raise UnresolvedError(Trouble(one.get("one_of"), asks=True, rivals=True))
     named, value = _object_of(told, one)
     root = value.task if isinstance(value, ObjectOf) else len(told.steps)
     if one.action in PUTS_DOWN and isinstance(value, ObjectOf):
         told = _not_given_yet(told, one, root)
-    said_how = any(one.get(slot) for slot in ("hand", "source", "holds"))
+    said_how = any(one.get(slot) for slot in ("hand", "source"))
     lifted = one.action == "pick" and root in told.held and not said_how
     left = one.get("stays") and one.get("there") is not None and root in told.moved("place", "put_in")
     if named is None and (lifted or left):
@@ -223,10 +214,7 @@ def _object_of(told: Discourse, one: Draft) -> tuple[Nominal | None, Any]:
         opens = one.action in OPENS
         antecedents.of_one_kind(told, *(each.of for each in told.recent(OPENED if opens else ("thing",))))
         if opens and named.sort not in OPENED and thing.ordinal != "other":
-            told_so = (
-                f"to {one.action} {with_article(named.kind or 'thing')} is nothing that this robot can do"
-            )
-            raise UnresolvedError(Trouble(told_so, named.kind))
+            raise ask(f"which one is it to {one.action}?")
     return named, places.described(told, named)
 
 
@@ -266,12 +254,8 @@ def _with_goal(told: Discourse, one: Draft, name: str, said: Any, root: int, slo
 
 
 def _with_person(told: Discourse, one: Draft, name: str, of: Nominal, slots: _Slots) -> Discourse:
-    """With whom a task is about or to whom it is done: where nobody is said to hear it, who was just met."""
+    """With whom a task is about or to whom it is done."""
     source = one.get("source")
-    if of.reference == "asker":  # "find Ana and say the time"
-        met = people.met(told)
-        slots.update({} if met is None else {name: places.destination(told, met)})
-        return told
     if one.get("count") is None:
         of = people.person_meant(told, of, anew=source is not None)
         slots[name] = places.destination(told, of)

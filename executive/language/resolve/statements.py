@@ -20,27 +20,14 @@ def taking_up(told: Discourse, bundle: Bundle, stated: Mention) -> Bundle:
     """
     first, *rest = bundle
     thing, of = first.get("object"), stated.of
-    if stated.meant_for is not None and any(one.action == "hand_over" for one in bundle):
-        raise ask(f"is it for {stated.meant_for.kind}, or for whom?")
     is_one = isinstance(thing, Nominal) and thing.anaphoric and thing.count == 1 and not of.is_single
     chosen = is_one and of.kind is not None and of.is_plain and not told.steps
-    opens = first.action in OPENS and (told.steps or (stated.state or "").startswith(first.action))
-    unfit = (
-        opens
-        or (first.action in OPENS and of.sort not in OPENED)
-        or (stated.state and first.action not in OPENS)
-    )
-    elsewhere = stated.source is not None and first.action not in _AT_A_PLACE
-    handled = told.steps and (
-        told.recent(THINGS) or told.mentioned or first.action not in MOVES or stated.exists
-    )
-    if (
-        not (chosen or _is_said_of(thing, of))
-        or elsewhere
-        or unfit
-        or handled
-        or first.get("source") is not None
-    ):
+    opens, state = first.action in OPENS, stated.state or ""
+    opened = told.steps or of.sort not in OPENED or state.startswith(first.action)
+    placed = first.get("source") is not None or (stated.source and first.action not in _AT_A_PLACE)
+    handled = told.recent(THINGS) or told.mentioned or first.action not in MOVES or stated.exists
+    unfit = opened if opens else state
+    if not (chosen or _is_said_of(thing, of)) or placed or unfit or (told.steps and handled):
         raise ask("what has the statement to do with the task?")
     if chosen:  # "there are two cups on the table; take the red one"
         of = replace(thing, kind=of.kind, sort=of.sort, anaphoric=False, said="")

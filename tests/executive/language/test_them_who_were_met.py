@@ -1,11 +1,9 @@
 """Whom "them", "him" and "her" stand for: who was met, found or greeted before; "it" never is a person."""
 
-from dataclasses import replace
-
 import pytest
 
-from executive.language.phrases.handled_thing import IT, WHOEVER_IS_THERE
-from executive.language.phrases.values import Clause, Nominal, Relative, draft
+from executive.language.phrases.handled_thing import IT
+from executive.language.phrases.values import Clause, Nominal, draft
 from executive.language.resolve.references import UnresolvedError, commands_of
 from executive.meaning import command_json
 from executive.understanding.command_parser import parse
@@ -14,7 +12,6 @@ ANA = Nominal("name", "Ana", determined=True)
 BEN = Nominal("name", "Ben", determined=True)
 GUEST = Nominal("person", "guest", determined=True)
 KITCHEN = Nominal("room", "kitchen", determined=True)
-ANA_THERE = replace(ANA, relation=Relative("in", KITCHEN))
 SOFA = Nominal("furniture", "sofa", determined=True)
 CUPS = Nominal("thing", "cup", plural=True, count="all", determined=True)
 THEM = Nominal("any", reference="them", plural=True, determined=True, said="them")
@@ -59,15 +56,6 @@ def test_who_was_met_is_looked_for_elsewhere():
     assert told[-1] == {"action": "find", "person": "Ana", "from": "bathroom"}
 
 
-def test_what_is_said_to_nobody_is_said_to_who_was_just_met():
-    say_the_time = draft("answer", question="time", person=WHOEVER_IS_THERE)
-
-    assert commands(draft("find", person=ANA), say_the_time)[-1]["person"] == "Ana"
-    assert commands(draft("walk_to", to=ANA_THERE), say_the_time)[-1]["person"] == "Ana"
-    assert "person" not in commands(draft("walk_to", to=SOFA), say_the_time)[-1]
-    assert "person" not in commands(draft("find", person=ANA), draft("go_home"), say_the_time)[-1]
-
-
 def test_both_of_two_are_greeted():
     told = commands(draft("find", person=ANA), draft("find", person=BEN), draft("greet", person=BOTH))
 
@@ -84,11 +72,6 @@ def test_both_of_two_are_greeted():
         (draft("find", person=ANA), draft("pick", object=CUPS, count="all"), draft("follow", person=THEM)),
         (draft("find", person=ANA), draft("follow", person=IT)),
         (draft("find", person=ANA), draft("pick", object=IT)),
-        (
-            draft("find", person=ANA),
-            draft("find", person=BEN),
-            draft("answer", question="time", person=WHOEVER_IS_THERE),
-        ),
     ],
 )
 def test_who_may_be_nobody_or_one_of_several_is_asked(drafts):
