@@ -115,6 +115,8 @@ def _slot(value: Any) -> Any:
         case ObjectDescription():
             present = {field.name: getattr(value, field.name) for field in fields(value)}
             return {key: _slot(item) for key, item in present.items() if item not in (None, ())}
+        case tuple():
+            return [_slot(item) for item in value]
         case _:
             return value
 
