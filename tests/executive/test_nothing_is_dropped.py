@@ -190,7 +190,7 @@ def test_the_same_thing_is_picked_up_twice_only_when_it_is_asked_about():
     ("sentence", "told"),
     [
         ("put the cup on", "after 'on' something is missing"),
-        ("go to Olivia and bring her to me", "a person is nothing"),
+        ("go to Olivia and pick her up", "a person is nothing"),
     ],
 )
 def test_a_refusal_tells_what_is_missing_from_what_does_not_go_together(sentence, told):

@@ -37,7 +37,7 @@ def list_(
         typer.echo(line)
 
 
-def _lines(what: What, scene: str) -> Iterator[str]:
+def _lines(what: What, scene: str = DEFAULT_SCENE) -> Iterator[str]:
     match what:
         case What.ROBOTS:
             from robots.outside import known_robots

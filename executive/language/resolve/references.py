@@ -158,9 +158,11 @@ def _with_task(told: Discourse, one: Draft, text: str) -> tuple[ObjectOf, Discou
         told = _not_given_yet(told, one, root)
     said_how = any(one.get(slot) for slot in ("hand", "source"))
     lifted = one.action == "pick" and root in told.held and not said_how
-    left = one.get("stays") and one.get("there") is not None and root in told.moved("place", "put_in")
+    nowhere = one.action == "place" and all(one.get(slot) is None for slot in ("on", "to", "there"))
+    stays = one.get("there") is not None if one.get("stays") else nowhere
+    left = stays and root in told.moved("place", "put_in")
     if named is None and (lifted or left):
-        return ObjectOf(root), told  # "grasp it and lift it", "put it there and leave it there"
+        return ObjectOf(root), told  # "grasp it and lift it", "put it there and put it down"
     trouble = trouble_with(told, Order(one, named, root))
     if trouble is not None:
         raise UnresolvedError(trouble)

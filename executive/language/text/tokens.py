@@ -29,6 +29,7 @@ _PLAIN = str.maketrans(
         **dict.fromkeys("\u2013\u2014\u2022", "-"),
     }
 )
+_BRIDGE_LIKE = re.compile(r"(?<!\w)(?:move|turn)_\w+", re.IGNORECASE)
 _QUOTATION = re.compile(r"\"([^\"]*)\"|(?<![\w'])'([^']*(?:'\w[^']*)*)'(?![\w'])")
 _LINE_END = re.compile(r"(?<=[^\s.,;:!?-])[ \t\r]*\n\s*(?=[A-Z0-9])")
 """The end of a line without a mark, before one that begins as a sentence does."""
@@ -78,6 +79,10 @@ def normalise(text: str) -> str:
         plain = plain[1:-1].strip()
     if _NOT.search(_QUOTATION.sub(" ", plain)):
         raise MalformedTextError("'!' before a word may deny it; say only what to do", "!")
+    for word in _BRIDGE_LIKE.findall(_QUOTATION.sub(" ", plain)):
+        if word.lower() not in forms("bridge"):
+            told = f"{word!r} is no word of the bridge; those are {', '.join(forms('bridge'))}"
+            raise MalformedTextError(told, word)
     if not plain:
         raise MalformedTextError("the sentence is empty")
     if len(plain) > MAX_LENGTH:
