@@ -45,7 +45,7 @@ _SYNTAX = (
         "\x00",
         "\x1b[2J",
         "\u202e",
-        "\ufeff",
+        "\u2060",
         "\ud800",
         "<script>",
         "#!/bin/sh",
