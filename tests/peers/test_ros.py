@@ -13,6 +13,7 @@ from executive.doors.served_robot import ServedRobot
 from executive.live.caller.caller import ask_at
 from robots.live.wire.messages import Reset, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
+from robots.models.description import load_description
 
 pytestmark = [pytest.mark.requirement("U3"), pytest.mark.timeout(400)]
 NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
@@ -34,7 +35,7 @@ def test_the_state_arrives_on_its_topics(served, peer):
     assert seen["topics"] == [
         "/diagnostics", "/imu", "/joint_states", "/odom", "/robot_description", "/wrench/left_sole_link",
     ]  # fmt: skip
-    assert seen["joints"] == seen["positions"] > 40
+    assert seen["joints"] == seen["positions"] == len(load_description("talos").actuated)
     assert 0.5 < seen["height_m"] < 1.5
     assert 8.0 < seen["up_m_s2"] < 11.0
     assert seen["urdf"].lstrip().startswith("<")
