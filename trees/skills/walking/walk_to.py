@@ -88,6 +88,7 @@ class WalkTo(WalkingLeaf):
     def begin(self) -> None:
         """Nothing has moved yet."""
         super().begin()
+        self._into_room = False
         self.aim()
         self._goal = PlanarPose()
         self._backing = False
@@ -100,7 +101,8 @@ class WalkTo(WalkingLeaf):
     def aim(self) -> None:
         """Take in what to walk to."""
         self._place: Place = self.get_input("place")
-        self._straight_m = 0.0 if self._place.category == "region" else _APPROACH_M
+        self._into_room = self._place.category == "region"
+        self._straight_m = 0.0 if self._into_room else _APPROACH_M
 
     def place(self, body: PlanarPose) -> PlanarPose:
         """Where to stand, for a body that is here now."""
@@ -110,7 +112,7 @@ class WalkTo(WalkingLeaf):
             return stand.body(self._place)
         gap_m, room, scene = toolbox.policy.support_gap_m, room_if_it_walks(toolbox), toolbox.world.scene
         points = None
-        if self._place.category == "region":  # who stands in a room, behind a wall, is seen on the way
+        if self._into_room:  # who stands in a room, behind a wall, is seen on the way
             points = self._seen.beside(footprints(scene))
         return standing_place(self._place, scene, body, gap_m, room, points)
 
@@ -238,7 +240,7 @@ class WalkTo(WalkingLeaf):
 
     def _goes_elsewhere(self) -> bool:
         """Whether somebody stands where it was going to stand in a room, and it goes beside them instead."""
-        if self._place.category != "region":
+        if not self._into_room:
             return False
         goal = self.place(body_pose(self.toolbox))
         if goal.distance_m(self._goal) < _ELSEWHERE_M:
