@@ -18,7 +18,7 @@ from executive.live.caller.caller import Caller, NoAnswerError, ask_at
 from executive.live.caller.hang_watch import HungError, commander_of, hear_out
 from executive.live.caller.sendable import require_served_as, script_lines, sendable
 from executive.live.desk_messages import Answer, Cancel, GetScene, Say, ScriptLine, write_desk_message
-from executive.scripts.task_script import is_script, load_script
+from executive.scripts.task_script import load_script
 from robots.live.wire.messages import GetStatus, Stop, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 
@@ -175,15 +175,26 @@ class ServedRobot:
     def begin(self, text: str) -> Run:
         """Begin a task; what becomes of it, be it a refusal, its status tells.
 
-        Args:
-            text: A sentence, or the path of a script.
-
         Raises:
             NotServedError: No robot is served there.
             NotSendableError: The text holds what no sentence may hold.
+        """
+        return self._begin(text, [Say(sendable(text))])
+
+    def begin_script(self, path: str) -> Run:
+        """Begin a task script, for a door whose callers may name files of this machine.
+
+        Raises:
+            NotServedError: No robot is served there.
             UserError: The script is none, or for another robot.
         """
-        order: Sequence[Say | ScriptLine] = self._script(text) if is_script(text) else [Say(sendable(text))]
+        script = load_script(Path(path))
+        lines = script_lines(Path(path), script)
+        served = ask_at(self._where.control_socket, write_control_message(GetStatus()))
+        require_served_as(Path(path), script, served)
+        return self._begin(path, lines)
+
+    def _begin(self, text: str, order: Sequence[Say | ScriptLine]) -> Run:
         self._begun += 1
         run = Run(self._where, f"run-{self._begun}", text, order)
         self._runs[run.name] = run
@@ -191,13 +202,6 @@ class ServedRobot:
             if self._runs[old].ended:
                 del self._runs[old]
         return run
-
-    def _script(self, text: str) -> Sequence[ScriptLine]:
-        script = load_script(Path(text))
-        lines = script_lines(Path(text), script)
-        served = ask_at(self._where.control_socket, write_control_message(GetStatus()))
-        require_served_as(Path(text), script, served)
-        return lines
 
     def run(self, name: str | None = None) -> Run | None:
         """A task of this door: by its id, or the last one; None where there is none."""

@@ -30,16 +30,20 @@ class VelocityFlow:
         self._refused_s = -math.inf
         self._last = (0.0, 0.0)
 
-    def hear(self, linear_m_s: float, angular_rad_s: float, now_s: float) -> None:
+    def hear(self, linear_m_s: float, angular_rad_s: float, now_s: float, wrong: str = "") -> None:
         """Take a velocity.
 
         Args:
             linear_m_s: Forward speed.
             angular_rad_s: Turning speed, to the left.
             now_s: Wall time.
+            wrong: Why it is none for this robot, or nothing.
         """
         wanted = (linear_m_s, angular_rad_s)
         if repr(wanted) == self._refused and now_s - self._refused_s < _AGAIN_AFTER_S:
+            return
+        if wrong:
+            self._refuse(wanted, now_s, wrong)
             return
         if not all(map(math.isfinite, wanted)):
             self._refuse(wanted, now_s, f"this robot cannot go {linear_m_s:g} m/s, {angular_rad_s:g} rad/s")

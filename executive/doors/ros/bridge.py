@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import queue
 import threading
 from collections.abc import Callable, Mapping
@@ -30,6 +29,7 @@ from executive.doors.ros.settings import RosSettings
 from executive.doors.served_robot import RESET_IS_A_PERSONS, Run, ServedRobot
 from executive.doors.velocity_flow import VelocityFlow
 from executive.errors import UserError
+from executive.scripts.task_script import is_script
 from kinematics.model.robot_model import RobotModel
 from robots.clock import WallClock, utc_ns
 from robots.live.documents.robot_report import ReportLayout, RobotReport
@@ -42,7 +42,7 @@ _POLL_S = 0.002
 _TRANSFORMS_EVERY_S, _STATUS_EVERY_S, _SCENE_EVERY_S = 0.02, 1.0, 0.5
 _STOP_POLL_S = 0.005
 _ENGAGED_FOR_S = 0.5
-"""Messages that repeat an emergency stop within this time change nothing."""
+"""Messages that repeat an emergency stop within this time stop again, and are not told again."""
 _MOST_QUEUED = 20
 _READY_WITHIN_S = 120.0
 
@@ -108,9 +108,13 @@ class Commands:
 
     def _drive(self, asked: Twist) -> None:
         """Pass a velocity on; this robot walks ahead and back and turns, and nothing else."""
-        other = (asked.linear.y, asked.linear.z, asked.angular.x, asked.angular.y)
-        ahead = math.nan if any(other) else asked.linear.x
-        self._flow.hear(ahead, asked.angular.z, self._wall.now_s())
+        other = any((asked.linear.y, asked.linear.z, asked.angular.x, asked.angular.y))
+        why = (
+            "only linear.x and angular.z may differ from zero: this robot does not walk sideways"
+            if other
+            else ""
+        )
+        self._flow.hear(asked.linear.x, asked.angular.z, self._wall.now_s(), why)
 
     def _queue(self, work: Callable[[], None]) -> None:
         try:
@@ -130,7 +134,7 @@ class Commands:
         if text.strip().lower() == "reset":
             self._tell(f"refused: {RESET_IS_A_PERSONS}")
             return
-        run = self._robot.begin(text)
+        run = self._robot.begin_script(text) if is_script(text) else self._robot.begin(text)
         with self._lock:
             self._runs.append((run, 0))
 
@@ -144,15 +148,14 @@ class Commands:
             self._wall.sleep(_STOP_POLL_S)
             if not any(said.data for reader in self._stops for said in taken(reader)):
                 continue
-            if self._wall.now_s() < quiet_until_s:
-                continue
             try:
                 self._robot.stop("/emergency_stop")
             except LiveError as wrong:
                 self._tell(f"failed: the emergency stop did not reach the robot: {wrong}")
                 continue
-            quiet_until_s = self._wall.now_s() + _ENGAGED_FOR_S
-            self._tell(f"emergency stop engaged by /emergency_stop; {RESET_IS_A_PERSONS}")
+            told, quiet_until_s = self._wall.now_s() < quiet_until_s, self._wall.now_s() + _ENGAGED_FOR_S
+            if not told:
+                self._tell(f"emergency stop engaged by /emergency_stop; {RESET_IS_A_PERSONS}")
 
 
 class Publications:

@@ -153,6 +153,9 @@ def _describe(parts: Parts) -> Clause:
             raise trouble(told, nominal.kind)
         if _is_nothing_named(nominal) and one.get("source") is None:
             raise unfit()
+        if nominal.sort == "room" and one.get("source") is None:
+            described.append(draft("describe", source=nominal))
+            continue
         everything = _is_all_there(nominal) and not nominal.reference
         described.append(draft("describe", source=one.get("source")) if everything else one)
     return _alone(described, parts)

@@ -6,6 +6,7 @@ nearest are told.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -17,19 +18,25 @@ from trees.snapshot import NodeSnapshot
 
 _LONGEST = 160
 """Characters of a text."""
-_MOST_NODES = 300
-_MOST_THINGS = 120
+_MOST_BYTES = 40_000
+"""Of either as it is written: a message of the protocol holds 65,536, and what else a status says."""
 
 
 def tree_json(root: NodeSnapshot) -> list[Mapping[str, Any]]:
     """The nodes of a tree from the root down, each with its depth.
 
-    Nodes beyond the first 300 are left out, those that are idle first.
+    Where they are too many for a message the idle ones are left out, and then the last.
     """
     nodes = list(_nodes(root, 0))
-    if len(nodes) > _MOST_NODES:
-        nodes = [one for one in nodes if one["status"] != "idle"][:_MOST_NODES]
-    return nodes
+    if len(_beginning(nodes)) < len(nodes):
+        nodes = [one for one in nodes if one["status"] != "idle"]
+    return _beginning(nodes)
+
+
+def _beginning(told: list[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """As many of the first as fit a message."""
+    ends = np.cumsum([len(json.dumps(one)) + 1 for one in told])
+    return told[: int(np.searchsorted(ends, _MOST_BYTES, side="right"))]
 
 
 def _nodes(node: NodeSnapshot, depth: int) -> Sequence[Mapping[str, Any]]:
@@ -49,7 +56,7 @@ def scene_json(around: Surroundings) -> list[Mapping[str, Any]]:
     """
     held = [{"name": name, "words": label.words, "held": True} for name, label in around.held.items()]
     things = sorted(around.things, key=lambda one: float(np.hypot(*one.place_m[:2])))
-    return [*held, *map(_thing, things[: _MOST_THINGS - len(held)])]
+    return _beginning([*held, *map(_thing, things)])
 
 
 def _thing(one: BelievedThing) -> Mapping[str, Any]:

@@ -71,3 +71,10 @@ def test_where_nobody_serves_it_is_told(tmp_path, told):
     VelocityFlow(tmp_path, told.append).hear(0.1, 0.0, 0.0)
 
     assert told[0].startswith("refused: ")
+
+
+def test_what_the_robot_cannot_do_is_refused_with_the_reason(served, flow, told):
+    flow.hear(0.1, 0.0, 0.0, "it does not walk sideways")
+
+    assert told == ["refused: it does not walk sideways"]
+    assert served.velocities == []

@@ -73,3 +73,7 @@ def test_a_sort_of_things_is_a_kind(one, several, kind):
     assert tasks(f"how many {several} are on the table") == [
         {"action": "count", "object": {"kind": kind}, "from": "table"}
     ]
+
+
+def test_a_room_that_is_described_is_where_to_look():
+    assert tasks("describe the living room") == [{"action": "describe", "from": "living room"}]

@@ -71,7 +71,7 @@ class Drive(Move):
 
     @property
     def deadline_s(self) -> float:
-        """However long velocities come, it begins anew after a while."""
+        """The contract's: whoever goes on sending velocities begins anew then."""
         return self.CONTRACT.deadline_s
 
     @property

@@ -8,6 +8,7 @@ from mcp_types import ElicitResult
 from executive.doors.mcp.lease import Lease
 from executive.doors.mcp.server import mcp_server
 from executive.doors.served_robot import ServedRobot
+from executive.live.desk_messages import Say
 
 pytestmark = pytest.mark.requirement("L7")
 LONG_S = 60.0
@@ -70,6 +71,18 @@ def test_a_task_is_begun_by_one_call_and_its_end_told_by_another(served):
 
     told = talk(served, dialogue)
     assert (told["outcome"], told["ended"], told["message"]) == ("done", True, "done: it waves")
+
+
+@pytest.mark.requirement("F1")
+def test_the_name_of_a_file_is_a_sentence_to_a_model_and_no_script(served, tmp_path):
+    script = tmp_path / "tidy.toml"
+    script.write_text('[[task]]\nsay = "wave"\n')
+
+    async def dialogue(client):
+        return await called(client, "task_status", run=await begun(client, str(script)), wait_s=10.0)
+
+    talk(served, dialogue)
+    assert [type(one) for one in served.said] == [Say]
 
 
 @pytest.mark.requirement("L6")
