@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from enum import IntEnum
 
 from kinematics.scene.label import Label
-from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import SceneObject
 from robots.scenes.scene_words import COLORS
 from trees.beliefs.scene.scene_update import kind_of
 
@@ -25,14 +25,6 @@ def label_of(item: SceneObject) -> Label:
 def label_in(name: str, movable: bool = True) -> Label:
     """What a name of the planning scene says: kind and colour of an object, the kind of all else."""
     return Label(*split_words(name)) if movable else Label(kind_of(name))
-
-
-def label_named(name: str, scene: PlanningScene) -> Label:
-    """What is known of what a name in a planning scene, or in its hands, is called."""
-    if name in scene.attached:
-        return label_of(scene.attached[name].body)
-    item = scene.objects.get(name)
-    return label_in(name) if item is None else label_of(item)
 
 
 class CalledBy(IntEnum):
