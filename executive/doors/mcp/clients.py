@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mcp.server.mcpserver import Context
+from mcp_types.version import MODERN_PROTOCOL_VERSIONS
 from starlette.requests import Request
 
 _SESSION = "mcp-session-id"
@@ -32,6 +33,12 @@ def client_of(ctx: Context) -> McpClient:
 
 
 async def is_there(ctx: Context) -> bool:
-    """Whether the connection that brought a call still stands; of stdio it does while the call goes on."""
+    """Whether the connection that brought a call still stands.
+
+    By the older versions of the protocol a call over HTTP outlives its connection, so that it is asked here.
+    Over stdio, and by the newer versions, a call is cancelled when its connection ends.
+    """
     request = ctx.request_context.request
-    return not (isinstance(request, Request) and await request.is_disconnected())
+    if ctx.protocol_version in MODERN_PROTOCOL_VERSIONS or not isinstance(request, Request):
+        return True
+    return not await request.is_disconnected()

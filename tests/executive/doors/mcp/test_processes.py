@@ -66,9 +66,9 @@ class HttpServer:
     @asynccontextmanager
     async def client(self, token=TOKEN, **client):
         headers = {"Authorization": f"Bearer {token}"} if token else {}
-        async with httpx2.AsyncClient(headers=headers, timeout=60.0) as http:
-            async with Client(streamable_http_client(self.url, http_client=http), **client) as one:
-                yield one
+        http = httpx2.AsyncClient(headers=headers, timeout=60.0)
+        async with http, Client(streamable_http_client(self.url, http_client=http), **client) as one:
+            yield one
 
 
 @pytest.fixture
