@@ -32,7 +32,7 @@ def note(event, arguments):
 
 sys.addaudithook(note)
 """
-"""What every Python process of the tree runs as it starts: it notes what sockets are bound or connected to."""
+"""What every Python process of the tree runs as it starts: it notes what is bound or connected to."""
 TALKATIVE = """
 import socket
 one = socket.socket()
