@@ -16,7 +16,7 @@ from robots.live.wire.messages import GetStatus, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 
 pytestmark = [pytest.mark.requirement("S9"), pytest.mark.minutes]
-PATIENCE_S = 240.0
+PATIENCE_S = 280.0
 LISTENER = """
 import os, sys
 
@@ -121,7 +121,7 @@ def watch_until(watched, condition, what):
     while not condition():
         watched.look()
         assert time.monotonic() < until_s, f"in vain: {what}"
-        time.sleep(0.02)
+        time.sleep(0.1)
     watched.look()
 
 

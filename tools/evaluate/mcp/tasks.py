@@ -34,8 +34,8 @@ _SLACK_S = 10.0
 """Wall time beyond the lease in which the robot has come to rest: it brakes, and a busy machine is slow."""
 _SHORT = ("wait for 1 second", "turn left 10 degrees", "move backward at 0.1 m/s for 1 second", "look around")
 _LONG = ("wait for 300 seconds", "turn left 170 degrees", "move backward at 0.05 m/s for 20 seconds")
-_ANSWERS = {"turn": "to the left", "wait": "1 second"}
-"""What is asked back about these, and what a person says then."""
+_ANSWERS = {"turn": "turn left 10 degrees", "wait": "wait for 1 second"}
+"""Sentences that are asked back about, and what a person says then."""
 _NEXT = "wait for 0.2 seconds"
 _ENDS_WITHIN_S = 240.0
 
