@@ -36,7 +36,7 @@ def door(served):
 
 @pytest.fixture
 def ready(served, at_rest):
-    """Waits until the robot is at rest, and nothing stands against a task: a busy machine does for a while."""
+    """Waits until the robot is at rest and takes a task: a busy machine stands against it."""
 
     def wait(within_s=60.0):
         at_rest(within_s)

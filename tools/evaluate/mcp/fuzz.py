@@ -32,6 +32,8 @@ GROWTH = 0.05
 """Resident memory may grow by this share from the first tenth of the calls to the last."""
 _CALLS = 100
 _BYTES_SHARE = 0.05
+_STOP_SHARE = 0.1
+"""Of calls of ``stop``, to one of another tool: each that latches is reset, which takes its time."""
 _LOOKS = 50
 _LEASE_S = 60.0
 _AFTERWARDS = "wait for 0.2 seconds"
@@ -128,6 +130,8 @@ class _Campaign:
     async def _call_all(self, client: Client, count: int, all_: int) -> None:
         tools = (await client.list_tools()).tools
         makers = [(tool.name, ArgumentMaker(tool.input_schema, self._rng)) for tool in tools]
+        weights = np.array([_STOP_SHARE if name == "stop" else 1.0 for name, _ in makers])
+        shares = weights / weights.sum()
         async with httpx2.AsyncClient(headers=self._door.headers, timeout=60.0) as http:
             for index in range(count):
                 if index % max(1, all_ // _LOOKS) == 0:
@@ -135,7 +139,7 @@ class _Campaign:
                 if self._rng.random() < _BYTES_SHARE:
                     await self._send_bytes(http)
                 else:
-                    name, maker = makers[int(self._rng.integers(len(makers)))]
+                    name, maker = makers[int(self._rng.choice(len(makers), p=shares))]
                     await self._call(client, name, maker.make())
 
     async def _call(self, client: Client, tool: str, arguments: dict[str, Any]) -> None:
@@ -204,7 +208,10 @@ class _Campaign:
 
     def _note(self, index: int, count: int) -> None:
         self._record.memory_kb.append(_memory_kb(self._door.process.pid))
-        self._messages.print(f"{index} of {count}: {self._record.memory_kb[-1]} kB", markup=False)
+        self._messages.print(
+            f"{index} of {count}: {self._record.memory_kb[-1]} kB, unclear {len(self._record.unclear)}",
+            markup=False,
+        )
 
 
 def _words_of(answer: CallToolResult) -> str:
