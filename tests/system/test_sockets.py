@@ -15,7 +15,7 @@ from robots.live.wire.errors import LiveError
 from robots.live.wire.messages import GetStatus, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 
-pytestmark = [pytest.mark.requirement("S9"), pytest.mark.minutes]
+pytestmark = [pytest.mark.requirement("S9"), pytest.mark.minutes, pytest.mark.timeout(700)]
 PATIENCE_S = 280.0
 LISTENER = """
 import os, sys
