@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
-import secrets
-import socket
 import subprocess
 import sys
 from collections.abc import AsyncIterator
@@ -18,7 +17,7 @@ from mcp.client.streamable_http import streamable_http_client
 from mcp_types import Implementation
 
 from executive.cli.commands.mcp import TOKEN
-from executive.doors.mcp.serving import LOOPBACK
+from executive.doors.mcp.serving import LOOPBACK, new_token
 from robots.clock import WallClock
 from robots.live.wire.errors import LiveError
 from robots.live.wire.runtime_folder import RuntimeFolder
@@ -27,6 +26,8 @@ KINDS = ("http", "http, legacy", "stdio", "stdio, legacy")
 """Transports and versions of the protocol."""
 _READY_WITHIN_S = 120.0
 _CALL_WITHIN_S = 90.0
+_FIRST_PORT, _PORTS = 20_000, 12_000
+"""A port of its own for each process that evaluates, below those that the system gives to clients."""
 
 
 class McpDoor:
@@ -42,8 +43,8 @@ class McpDoor:
     """
 
     def __init__(self, folder: RuntimeFolder, lease_s: float) -> None:
-        self.folder, self.lease_s, self.token = folder, lease_s, secrets.token_urlsafe(12)
-        self.port = _free_port()
+        self.folder, self.lease_s, self.token = folder, lease_s, new_token()
+        self.port = _FIRST_PORT + os.getpid() % _PORTS
         self.url = f"http://{LOOPBACK}:{self.port}/mcp"
         self.process = subprocess.Popen(
             [sys.executable, "-m", "executive", *self._arguments(), "--http", "--port", str(self.port)],
@@ -112,15 +113,9 @@ class McpDoor:
         wall = WallClock()
         until_s = wall.now_s() + _READY_WITHIN_S
         while True:
-            with socket.socket() as one:
-                if one.connect_ex((LOOPBACK, self.port)) == 0:
-                    return
+            with contextlib.suppress(httpx2.TransportError):
+                httpx2.get(self.url)
+                return
             if self.process.poll() is not None or wall.now_s() > until_s:
                 raise LiveError("the MCP server does not listen")
             wall.sleep(0.1)
-
-
-def _free_port() -> int:
-    with socket.socket() as one:
-        one.bind((LOOPBACK, 0))
-        return int(one.getsockname()[1])
