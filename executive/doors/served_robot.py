@@ -16,7 +16,13 @@ from typing import Any
 
 from executive.live.caller.caller import Caller, NoAnswerError, ask_at
 from executive.live.caller.hang_watch import HungError, commander_of, hear_out
-from executive.live.caller.sendable import require_served_as, script_lines, sendable
+from executive.live.caller.sendable import (
+    NotSendableError,
+    printable,
+    require_served_as,
+    script_lines,
+    sendable,
+)
 from executive.live.desk_messages import Answer, Cancel, GetScene, Say, ScriptLine, write_desk_message
 from executive.scripts.task_script import load_script
 from robots.live.wire.messages import GetStatus, Stop, write_control_message
@@ -24,6 +30,8 @@ from robots.live.wire.runtime_folder import RuntimeFolder
 
 MOST_LINES = 500
 """Lines of feedback that are kept of one task, the newest."""
+_MOST_RUNS = 20
+"""Tasks that are kept, the newest; one that has not ended is kept as well."""
 RESET_IS_A_PERSONS = (
     "an emergency stop is left by a person at the robot alone: `executive reset` in a terminal there"
 )
@@ -171,14 +179,17 @@ class ServedRobot:
         self._where = RuntimeFolder(folder)
         self._runs: dict[str, Run] = {}
         self._begun = 0
+        self._lock = threading.Lock()
 
     def begin(self, text: str) -> Run:
         """Begin a task; what becomes of it, be it a refusal, its status tells.
 
         Raises:
             NotServedError: No robot is served there.
-            NotSendableError: The text holds what no sentence may hold.
+            NotSendableError: The text is empty, or holds what no sentence may hold.
         """
+        if not text.strip():
+            raise NotSendableError("refused: nothing was said; say a command, such as 'wave'")
         return self._begin(text, [Say(sendable(text))])
 
     def begin_script(self, path: str) -> Run:
@@ -195,12 +206,14 @@ class ServedRobot:
         return self._begin(path, lines)
 
     def _begin(self, text: str, order: Sequence[Say | ScriptLine]) -> Run:
-        self._begun += 1
-        run = Run(self._where, f"run-{self._begun}", text, order)
-        self._runs[run.name] = run
-        for old in list(self._runs)[:-20]:
-            if self._runs[old].ended:
-                del self._runs[old]
+        with self._lock:
+            self._begun += 1
+            name = f"run-{self._begun}"
+        run = Run(self._where, name, text, order)
+        with self._lock:
+            kept = [*self._runs.values(), run]
+            old, new = kept[:-_MOST_RUNS], kept[-_MOST_RUNS:]
+            self._runs = {one.name: one for one in (*(one for one in old if not one.ended), *new)}
         return run
 
     def run(self, name: str | None = None) -> Run | None:
@@ -234,13 +247,13 @@ class ServedRobot:
         return asked
 
     def cancel(self, reason: str) -> bool:
-        """Halt what is under way and hold; False when nothing is."""
-        answer = ask_at(self._where.executive_socket, write_desk_message(Cancel(sendable(reason))))
+        """Halt what is under way and hold; False when nothing is. No reason is too odd to halt."""
+        answer = ask_at(self._where.executive_socket, write_desk_message(Cancel(printable(reason))))
         return bool(answer["under_way"])
 
     def stop(self, reason: str, category: int = 1) -> None:
         """The emergency stop, past the executive; it latches until a person resets it."""
-        ask_at(self._where.control_socket, write_control_message(Stop(category, sendable(reason))))
+        ask_at(self._where.control_socket, write_control_message(Stop(category, printable(reason))))
 
 
 def _report_in(folder: str) -> Mapping[str, Any]:

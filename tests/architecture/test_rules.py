@@ -22,7 +22,7 @@ HEAVY = {
     "typer": ("executive",),
     "rich": ("executive", "tools"),
     "cyclonedds": ("executive.doors.ros",),
-    "mcp": ("executive.doors.mcp",),
+    "mcp": ("executive.doors.mcp", "tools.evaluate.mcp"),
     "uvicorn": ("executive.doors.mcp",),
     "rclpy": ("executive.doors.ros.node",),
 }

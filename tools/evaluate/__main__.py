@@ -34,6 +34,8 @@ from tools.evaluate.live.connection import run_connection
 from tools.evaluate.live.fuzz import run_fuzz
 from tools.evaluate.live.kill import run_kill
 from tools.evaluate.live.load import run_load
+from tools.evaluate.mcp.fuzz import run_mcp_fuzz
+from tools.evaluate.mcp.tasks import run_mcp
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
@@ -55,6 +57,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "the main job": ("pick", "question", "replay", HELD_MASS_SUITE),
         "stops and faults": ("stop", "cancel", "fault"),
         "live mode": ("kill", "connection", "load", "fuzz"),
+        "doors of the robot": ("mcp", "mcp-fuzz"),
         "untrusted text": ("hostile",),
         "changes that should change nothing": ("digests",),
         "hours on end": ("soak",),
@@ -114,6 +117,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
     if options.suite == "connection":
         return run_connection(options, messages)
+    if options.suite == "mcp":
+        return run_mcp(options, messages)
+    if options.suite == "mcp-fuzz":
+        return run_mcp_fuzz(options, messages)
     if options.suite == "load":
         return run_load(options, messages)
     if options.suite in DISTURBED_SUITES:

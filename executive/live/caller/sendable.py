@@ -13,6 +13,8 @@ from executive.understanding.understanding import understand
 
 _MAX_CHARACTERS = 20_000
 """Of one text; the protocol's own bound."""
+_LONGEST_REMARK = 500
+"""Characters of a reason for a stop or a cancel."""
 
 
 class NotSendableError(UserError):
@@ -33,6 +35,12 @@ def sendable(text: str) -> str:
         raise NotSendableError(f"refused: {refusal}")
     odd = next((f"it holds U+{ord(char):04X}" for char in spaced if not char.isprintable()), "")
     raise NotSendableError(f"cannot be sent: {odd or f'it has more than {_MAX_CHARACTERS} characters'}")
+
+
+def printable(text: str) -> str:
+    """A remark as it can be sent: what cannot be printed is left out, and it is cut where it is too long."""
+    spaced = "".join(" " if char.isspace() else char for char in text[:_LONGEST_REMARK])
+    return "".join(char for char in spaced if char.isprintable())
 
 
 def script_lines(path: Path, script: TaskScript) -> list[ScriptLine]:

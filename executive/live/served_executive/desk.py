@@ -39,6 +39,15 @@ Said = Say | Script | Velocity
 """What is begun as an order; a velocity is one while velocities follow it."""
 
 
+def name_of(said: Said) -> str:
+    """What an order is called to people."""
+    if isinstance(said, Velocity):
+        return "velocities"
+    if isinstance(said, Script) or said.text:
+        return said.text
+    return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
+
+
 def statements_of(said: Said, before: Conversation, trust: Trust) -> Iterator[Statement]:
     """Understand what was said, one statement after the other.
 
@@ -244,8 +253,13 @@ class Desk:
             self._attended.cancel("stop was said")
             order.end("done: what was under way is halted", "done", ExitCode.DONE)
         elif self.current is not None or len(self._waiting) >= MAX_WAITING:
-            busy = "the robot is busy; `executive cancel` halts what is under way"
-            order.end(f"refused: {busy}", "refused", ExitCode.INVALID)
+            under_way = self.current or self._waiting[0]
+            busy = f"{name_of(under_way.said)!r} (of process {under_way.connection.peer.pid})"
+            order.end(
+                f"refused: the robot is busy with {busy}; `executive cancel` halts what is under way",
+                "refused",
+                ExitCode.INVALID,
+            )
         else:
             self._waiting.append(order)
 

@@ -19,8 +19,8 @@ from executive.live.control_client.motion_client import GripperClient, MotionCli
 from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from executive.live.desk_messages import Script, Velocity
-from executive.live.served_executive.desk import Desk, Order, question_json, statements_of
+from executive.live.desk_messages import Script
+from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.told_as_json import scene_json, tree_json
@@ -159,7 +159,7 @@ class LiveExecutive:
 
     def status(self) -> Mapping[str, Any]:
         """How things stand, as JSON values."""
-        current = _name_of(self._order.said) if self._order is not None else None
+        current = name_of(self._order.said) if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
         paused = self._session.paused
         question = self._desk.question
@@ -183,7 +183,7 @@ class LiveExecutive:
         self._display = display = PlainDisplay(cast(IO[str], _LineStream(order)))
         said, checked_before = order.said, self._planning.checked
         about = self._link.about
-        subject = RunSubject(_name_of(said), str(about["robot"]), str(about["scene"]), int(about["seed"]))
+        subject = RunSubject(name_of(said), str(about["robot"]), str(about["scene"]), int(about["seed"]))
         try:
             with RunLog(self._record, {**subject.header(), "live": True}) as log:
                 self._account = account = RunAccount(subject, log, display.event)
@@ -284,14 +284,6 @@ class _LineStream:
 
     def flush(self) -> None:
         pass
-
-
-def _name_of(said: DeskOrder) -> str:
-    if isinstance(said, Velocity):
-        return "velocities"
-    if isinstance(said, Script) or said.text:
-        return said.text
-    return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
 
 
 def _is_stop(text: str) -> bool:

@@ -3,7 +3,7 @@
 import anyio
 import pytest
 from mcp import Client, MCPError
-from mcp_types import ElicitResult
+from mcp_types import ElicitResult, Implementation
 
 from executive.doors.mcp.lease import Lease
 from executive.doors.mcp.server import mcp_server
@@ -156,7 +156,156 @@ def test_a_task_that_no_client_asks_about_is_cancelled(served):
                 await anyio.sleep(0.05)
 
     talk(served, dialogue, lease_s=0.5)
-    assert served.cancels[0].startswith("no client has asked about run-1")
+    assert served.cancels[0].startswith("its client has not asked about run-1")
+
+
+def two(served, dialogue):
+    """Let two clients talk to one server: the first one, and one that is called "second"."""
+    robot = ServedRobot(served.folder.path)
+    server = mcp_server(robot, Lease(robot, LONG_S))
+
+    async def whole():
+        second = Implementation(name="second", version="1")
+        async with Client(server) as one, Client(server, client_info=second) as other:
+            return await dialogue(one, other)
+
+    return anyio.run(whole)
+
+
+async def refused(client, tool, **arguments):
+    answer = await client.call_tool(tool, arguments)
+    assert answer.is_error
+    return answer.content[0].text
+
+
+@pytest.mark.requirement("S7")
+def test_a_task_whose_client_waits_in_a_call_outlives_the_lease(served):
+    served.holds = True
+
+    async def dialogue(client):
+        return await called(client, "task_status", run=await begun(client), wait_s=3.0)
+
+    assert talk(served, dialogue, lease_s=0.6)["outcome"] == "running"
+
+
+@pytest.mark.requirement("L6")
+def test_a_question_that_is_open_outlives_the_lease_since_nothing_moves(served):
+    served.asks = True
+
+    async def dialogue(client):
+        run = await begun(client)
+        await anyio.sleep(2.5)
+        return await called(client, "task_status", run=run)
+
+    assert talk(served, dialogue, lease_s=0.5)["outcome"] == "question"
+
+
+@pytest.mark.requirement("S9")
+@pytest.mark.parametrize("tool", ["start_task", "answer"])
+def test_a_second_client_is_told_who_commands(served, tool):
+    served.holds = True
+
+    async def dialogue(one, other):
+        await begun(one, "wave")
+        words = await refused(other, tool, text="nod")
+        await called(other, "cancel")
+        return words
+
+    words = two(served, dialogue)
+    assert "'mcp'" in words
+    assert "run-1 ('wave')" in words
+    assert len(served.said) == 1
+
+
+@pytest.mark.requirement("S7")
+def test_a_second_client_that_gives_up_its_call_does_not_end_the_task_of_the_first(served):
+    served.holds = True
+
+    async def dialogue(one, other):
+        run = await begun(one)
+        with anyio.move_on_after(1.0):
+            await called(other, "task_status", run=run, wait_s=30.0)
+        return await called(one, "task_status", run=run)
+
+    assert two(served, dialogue)["outcome"] == "running"
+    assert served.cancels == []
+
+
+@pytest.mark.requirement("S7")
+def test_a_second_client_that_asks_does_not_keep_the_task_of_the_first_alive(served):
+    served.holds = True
+    robot = ServedRobot(served.folder.path)
+    server = mcp_server(robot, Lease(robot, 1.0))
+
+    async def whole():
+        async with Client(server) as one:
+            run = await begun(one)
+        async with Client(server, client_info=Implementation(name="second", version="1")) as other:
+            with anyio.fail_after(20.0):
+                return await called(other, "task_status", run=run, wait_s=15.0)
+
+    assert anyio.run(whole)["outcome"] == "cancelled"
+
+
+@pytest.mark.requirement("S7")
+def test_a_second_client_may_say_stop(served):
+    served.holds = True
+
+    async def dialogue(one, other):
+        run = await begun(one)
+        await called(other, "start_task", text="stop")
+        return await called(one, "task_status", run=run, wait_s=10.0)
+
+    assert two(served, dialogue)["outcome"] == "cancelled"
+
+
+@pytest.mark.requirement("L6")
+@pytest.mark.parametrize("mode", ["auto", "legacy"])
+def test_a_question_that_the_person_declines_ends_the_task(served, mode):
+    served.asks = True
+
+    async def person(_context, _parameters):
+        return ElicitResult(action="decline")
+
+    async def dialogue(client):
+        run = await begun(client)
+        await called(client, "task_status", run=run, wait_s=10.0)
+        return await called(client, "task_status", run=run, wait_s=10.0)
+
+    assert talk(served, dialogue, elicitation_callback=person, mode=mode)["outcome"] == "cancelled"
+    assert served.cancels == ["the question was declined"]
+
+
+@pytest.mark.requirement("L6")
+def test_a_person_who_thinks_too_long_is_not_waited_for_once_the_question_is_over(served):
+    served.asks = True
+
+    async def person(_context, _parameters):
+        await anyio.sleep(60.0)
+
+    async def dialogue(client):
+        run = await begun(client)
+        async with anyio.create_task_group() as group:
+            group.start_soon(cancel_soon, client)
+            with anyio.fail_after(20.0):
+                return await called(client, "task_status", run=run, wait_s=10.0)
+
+    async def cancel_soon(client):
+        await anyio.sleep(2.0)
+        await called(client, "cancel", reason="somebody else decided")
+
+    told = talk(served, dialogue, elicitation_callback=person, mode="legacy")
+    assert told["outcome"] == "cancelled"
+
+
+@pytest.mark.requirement("S4")
+@pytest.mark.parametrize("reason", ["\x00", "x" * 30_000, "\u202e"])
+def test_a_stop_stops_whatever_its_reason_holds(served, reason):
+    async def dialogue(client):
+        return await called(client, "stop", reason=reason)
+
+    assert talk(served, dialogue)["engaged"]
+    assert len(served.stops) == 1
 
 
 @pytest.mark.requirement("S4")
@@ -177,6 +326,7 @@ def test_the_stop_reaches_the_control_and_says_who_resets(served):
         ("start_task", {}),
         ("start_task", {"text": 7}),
         ("start_task", {"text": "wave\x00"}),
+        ("start_task", {"text": ""}),
         ("task_status", {"run": "run-9"}),
         ("stop", {"category": 3}),
         ("answer", {"text": ["red"]}),

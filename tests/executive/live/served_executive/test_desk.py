@@ -1,5 +1,7 @@
 """What people may say to a served executive, over a real socket: sentences, pauses, cancels, questions."""
 
+import os
+
 import pytest
 
 from executive.dialogue.clarification import OpenQuestion
@@ -123,6 +125,7 @@ def test_a_second_sentence_is_refused_while_one_is_carried_out(busy, another):
 
     assert told["exit_code"] == 2
     assert "busy" in told["text"]
+    assert f"'pick up the red cup' (of process {os.getpid()})" in told["text"]
 
 
 @pytest.mark.requirement("S7")
