@@ -1,5 +1,7 @@
-"""Listen to every topic that the wheels have a type of, until each has come and the graph is whole; print what
-came as JSON. Arguments: the most seconds."""
+"""Listen to every topic that the wheels have a type of, until each has come and the graph is whole.
+
+Prints what came as JSON. Arguments: the most seconds.
+"""
 
 import json
 import sys
