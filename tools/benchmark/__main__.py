@@ -15,7 +15,19 @@ from rich.console import Console
 if TYPE_CHECKING:
     from tools.benchmark.report import Report
 
-SUITES = ("planning", "pick", "arm", "ik", "collision", "timing", "checker", "tick", "control", "startup")
+SUITES = (
+    "planning",
+    "pick",
+    "arm",
+    "ik",
+    "collision",
+    "timing",
+    "checker",
+    "tick",
+    "control",
+    "ros",
+    "startup",
+)
 
 
 class _ListSuites(argparse.Action):
@@ -61,6 +73,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.pick import pick
     from tools.benchmark.planning import planning
     from tools.benchmark.report import Report
+    from tools.benchmark.ros import ros
     from tools.benchmark.startup import startup
     from tools.benchmark.tick import tick
     from tools.benchmark.timing import timing
@@ -76,7 +89,14 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     if suite == "timing":
         toppra = PeerEnvironment("toppra", cache)
         return Report(suite, quick, timing(quick, toppra.python if toppra.is_ready else None))
-    alone = {"planning": planning, "checker": checker, "tick": tick, "control": control, "startup": startup}
+    alone = {
+        "planning": planning,
+        "checker": checker,
+        "tick": tick,
+        "control": control,
+        "ros": ros,
+        "startup": startup,
+    }
     return Report(suite, quick, alone[suite](quick))
 
 

@@ -43,6 +43,7 @@ from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
+from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
@@ -59,6 +60,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "live mode": ("kill", "connection", "load", "fuzz"),
         "doors of the robot": ("mcp", "mcp-fuzz"),
         "untrusted text": ("hostile",),
+        "the ROS door": ROS_SUITES,
         "changes that should change nothing": ("digests",),
         "hours on end": ("soak",),
         "doors and drawers": OPENING_SUITES,
@@ -109,6 +111,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_held_mass(options, messages)
     if options.suite == "hostile":
         return run_hostile(options.episodes, options.seed, options.json, messages)
+    if options.suite in ROS_SUITES:
+        return run_ros_suite(options, messages)
     if options.suite == "digests":
         return run_digests(options.check, options.record, options.jobs, options.every, messages)
     if options.suite == "soak":

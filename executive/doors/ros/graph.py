@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeVar, cast
 
+from cyclonedds.core import DDSException
 from cyclonedds.domain import Domain, DomainParticipant
 from cyclonedds.idl import IdlStruct
 from cyclonedds.internal import InvalidSample
@@ -84,9 +85,23 @@ class RosNode:
 
 
 def taken(reader: DataReader[M]) -> list[M]:
-    """What has arrived at a reader; a writer that goes leaves samples that hold nothing."""
-    samples: list[object] = list(reader.take(N=_MOST_TAKEN))
-    return [cast("M", one) for one in samples if not isinstance(one, InvalidSample)]
+    """What has arrived at a reader.
+
+    A sample that cannot be read is passed over, as anybody may write one: DDS has looked at its lengths, and
+    not at its text. So is what a writer leaves that goes, which holds nothing.
+    """
+    found: list[M] = []
+    for _ in range(_MOST_TAKEN):
+        try:
+            samples: list[object] = list(reader.take(N=1))
+        except DDSException:
+            raise
+        except Exception:  # whatever reading foreign bytes comes to
+            continue
+        if not samples:
+            break
+        found += [cast("M", one) for one in samples if not isinstance(one, InvalidSample)]
+    return found
 
 
 def _gid(entity: Any) -> Gid:

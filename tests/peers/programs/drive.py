@@ -1,6 +1,6 @@
-"""Send velocities on /cmd_vel; print how far it went and when it stood, as JSON.
+"""Send velocities on /cmd_vel until it has gone so far or said why not; print how far it went, as JSON.
 
-Arguments: "twist" or "stamped", forward speed, turning speed, seconds.
+Arguments: "twist" or "stamped", forward speed, turning speed, metres, the most seconds.
 """
 
 import json
@@ -10,34 +10,38 @@ import time
 
 import rclpy
 from geometry_msgs.msg import Twist, TwistStamped
+from hearing import Hearing
 from nav_msgs.msg import Odometry
-from std_msgs.msg import String
 
-PERIOD_S, STILL_M = 0.02, 0.002
+PERIOD_S = 0.02
+ENDS = ("done:", "failed:", "refused:")
 
 rclpy.init()
 node = rclpy.create_node("driver")
-places, lines = [], []
+heard, places = Hearing(node), []
 node.create_subscription(
     Odometry, "/odom", lambda one: places.append((one.pose.pose.position.x, one.pose.pose.position.y)), 10
 )
-node.create_subscription(String, "/ai/status", lambda one: lines.append(one.data), 100)
-kind, forward, turning, seconds = sys.argv[1], *map(float, sys.argv[2:5])
+kind = sys.argv[1]
+forward, turning, far_m, seconds = map(float, sys.argv[2:6])
 publisher = node.create_publisher(TwistStamped if kind == "stamped" else Twist, "/cmd_vel", 1)
 
 
-def spin(seconds, over=lambda: False):
-    until = time.monotonic() + seconds
-    while time.monotonic() < until and not over():
-        rclpy.spin_once(node, timeout_sec=0.005)
+def gone_m():
+    return math.dist(places[0], places[-1])
 
 
-spin(15.0, lambda: publisher.get_subscription_count() and places)
+def has_ended():
+    return any(line.startswith(ENDS) for line in heard.lines)
+
+
+assert heard.spin(60.0, lambda: publisher.get_subscription_count() and places), "the robot is not there"
+heard.begin()
 until = time.monotonic() + seconds
-while time.monotonic() < until:
+while time.monotonic() < until and gone_m() < far_m and not has_ended():
     twist = Twist()
     twist.linear.x, twist.angular.z = forward, turning
     publisher.publish(TwistStamped(twist=twist) if kind == "stamped" else twist)
-    spin(PERIOD_S)
-spin(30.0, lambda: any(line.startswith(("done:", "failed:", "refused:")) for line in lines))
-print(json.dumps({"gone_m": math.dist(places[0], places[-1]), "lines": lines}))
+    heard.spin(PERIOD_S)
+heard.spin(60.0, has_ended)
+print(json.dumps({"gone_m": gone_m(), "lines": heard.lines}))

@@ -39,7 +39,15 @@ class ServedRobot:
     """
 
     def __init__(
-        self, folder: Path, seed: int, robot: str, pace: float, *, realtime: bool = True, fault: str = ""
+        self,
+        folder: Path,
+        seed: int,
+        robot: str,
+        pace: float,
+        *,
+        realtime: bool = True,
+        fault: str = "",
+        scene: str | None = None,
     ) -> None:
         """Serve it, and begin to observe; real-time scheduling is used where it is permitted.
 
@@ -50,18 +58,19 @@ class ServedRobot:
             pace: Control time that passes in a second.
             realtime: Whether to ask for real-time scheduling.
             fault: Of the connection, see ``robots.live.wire.faulty_connection``.
+            scene: The text of a scene's file; None for the random one of a pick.
 
         Raises:
             LiveError: It cannot be served.
         """
-        scene = folder / "scene.toml"
-        scene.write_text(pick_scene(seed, None), "utf-8")
+        file = folder / "scene.toml"
+        file.write_text(pick_scene(seed, None) if scene is None else scene, "utf-8")
         self._wall = WallClock()
         self.pace = pace
         request = ServiceRequest(
             folder / "live",
             robot,
-            os.fspath(scene),
+            os.fspath(file),
             seed,
             folder / "runs",
             pace,

@@ -10,9 +10,10 @@ built. Without it, ``--sentences FILE`` serves ``execute_numbered`` of ``test_ms
 is the number of a line in the file, the result's sequence holds the exit code. Services: ``stop``, ``cancel``
 and ``reset`` (``std_srvs/Trigger``); ``reset`` only tells how a person does it.
 
-A goal lives as long as its client: when nobody listens to an action's feedback any more, its task is
-cancelled. How soon that is known is the lease of the client's own DDS participant (Fast DDS: 20 s unless its
-profile says otherwise).
+A goal lives as long as its client (``client_watch.py`` beside this file). One that is killed is known by its
+missing acknowledgements within 5 s where no other client of the action is there, and else when its DDS
+participant's lease has run out (Fast DDS: 20 s unless its profile says otherwise). A client that publishes
+its goal's id (``unique_identifier_msgs/UUID``) on ``<action>/alive`` every second is judged by that alone.
 """
 
 from __future__ import annotations
@@ -28,11 +29,14 @@ from pathlib import Path
 from typing import Any
 
 import rclpy
+from client_watch import ClientWatch
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.node import Node
 from std_srvs.srv import Trigger
+from unique_identifier_msgs.msg import UUID
 
 HEAD = struct.Struct(">2sBBI")
 MAGIC, VERSION, MESSAGE = b"HX", 1, 0
@@ -40,8 +44,7 @@ RESET = "an emergency stop is left by a person at the robot alone: `executive re
 POLL_S = 0.1
 ANSWER_WITHIN_S = 5.0
 LONGEST_MESSAGE = 65_536
-GRACE_S = 5.0
-"""A goal's client may take so long to be found in the graph."""
+AT_ONCE = Duration(nanoseconds=1_000)
 
 
 class Link:
@@ -105,6 +108,12 @@ class HumanoidNode(Node):
 
     def _serve(self, name: str, kind: type, execute: Any) -> None:
         self._feedback_topic = f"{name}/_action/feedback"
+        # feedback of no goal: clients pass over it, and their middleware acknowledges it
+        self._feedback_type = kind.Impl.FeedbackMessage  # type: ignore[attr-defined]
+        self._probe = self.create_publisher(self._feedback_type, self._feedback_topic, 10)
+        self._silent: set[bytes] = set()
+        self._watches: dict[bytes, ClientWatch] = {}
+        self.create_subscription(UUID, f"{name}/alive", self._alive, 10, callback_group=self._group)
         self._server = ActionServer(
             self,
             kind,
@@ -183,7 +192,7 @@ class HumanoidNode(Node):
     def _carry_out(self, goal: Any, text: str, feedback: Any) -> dict[str, Any]:
         """Give a sentence to the robot, and hear it out; the goal ends as the task did."""
         ending: dict[str, Any] = {"outcome": "failed", "exit_code": 1}
-        asked_to_end, begun_s = False, time.monotonic()
+        asked_to_end, watch = False, self._watch(goal)
         try:
             link = Link(self._folder / "executive.sock")
             try:
@@ -196,7 +205,7 @@ class HumanoidNode(Node):
                         refused = {"outcome": "refused", "exit_code": 2, "text": message.get("reason", "")}
                         ending = message if message["type"] == "result" else refused
                         break
-                    gone = self._client_is_gone(time.monotonic() - begun_s)
+                    gone = watch.is_gone(time.monotonic())
                     if (gone or goal.is_cancel_requested) and not asked_to_end:
                         reason = "the action's client is gone" if gone else "the action was cancelled"
                         self._ask("executive.sock", "cancel", reason=reason)
@@ -205,6 +214,8 @@ class HumanoidNode(Node):
                 link.close()
         except OSError as wrong:
             ending = {"outcome": "failed", "exit_code": 1, "text": f"failed: {wrong}"}
+        finally:
+            del self._watches[bytes(goal.goal_id.uuid)]
         if goal.is_cancel_requested and ending["outcome"] == "cancelled":
             goal.canceled()
         elif ending["outcome"] == "done":
@@ -213,8 +224,27 @@ class HumanoidNode(Node):
             goal.abort()
         return ending
 
-    def _client_is_gone(self, since_s: float) -> bool:
-        return since_s > GRACE_S and self.count_subscribers(self._feedback_topic) == 0
+    # ------------------------------------------------------------------ clients
+
+    def _watch(self, goal: Any) -> ClientWatch:
+        watch = ClientWatch(
+            self._listeners,
+            lambda: self._probe.publish(self._feedback_type()),
+            lambda: bool(self._probe.wait_for_all_acked(AT_ONCE)),
+            self._silent,
+            time.monotonic(),
+        )
+        self._watches[bytes(goal.goal_id.uuid)] = watch
+        return watch
+
+    def _listeners(self) -> frozenset[bytes]:
+        found = self.get_subscriptions_info_by_topic(self._feedback_topic)
+        return frozenset(bytes(one.endpoint_gid) for one in found)
+
+    def _alive(self, goal_id: Any) -> None:
+        watch = self._watches.get(bytes(goal_id.uuid))
+        if watch is not None:
+            watch.told(time.monotonic())
 
 
 def _report(folder: str) -> str:
