@@ -17,7 +17,16 @@ from typing import Any
 from executive.live.caller.caller import Caller, NoAnswerError, ask_at
 from executive.live.caller.hang_watch import HungError, commander_of, hear_out
 from executive.live.caller.sendable import require_served_as, script_lines, sendable
-from executive.live.desk_messages import Answer, Cancel, GetScene, Say, ScriptLine, write_desk_message
+from executive.live.desk_messages import (
+    Answer,
+    Cancel,
+    GetScene,
+    PauseTask,
+    ResumeTask,
+    Say,
+    ScriptLine,
+    write_desk_message,
+)
 from executive.scripts.task_script import load_script
 from robots.live.wire.messages import GetStatus, Stop, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
@@ -237,6 +246,15 @@ class ServedRobot:
         """Halt what is under way and hold; False when nothing is."""
         answer = ask_at(self._where.executive_socket, write_desk_message(Cancel(sendable(reason))))
         return bool(answer["under_way"])
+
+    def pause(self, reason: str) -> bool:
+        """Hold what is under way where it is, in balance; False when nothing is."""
+        answer = ask_at(self._where.executive_socket, write_desk_message(PauseTask(sendable(reason))))
+        return bool(answer["under_way"])
+
+    def resume(self) -> bool:
+        """Go on with what was paused; False when nothing was."""
+        return bool(ask_at(self._where.executive_socket, write_desk_message(ResumeTask()))["paused"])
 
     def stop(self, reason: str, category: int = 1) -> None:
         """The emergency stop, past the executive; it latches until a person resets it."""

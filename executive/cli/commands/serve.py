@@ -10,11 +10,13 @@ from typing import Annotated
 import typer
 
 from executive.cli.commands.choices import (
+    REAL_PACE,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
     PolicyChoice,
     PolicyOption,
+    ServedPaceOption,
     not_empty,
     whole_number_from,
 )
@@ -28,20 +30,6 @@ from executive.config import (
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.trust import THRESHOLD, Trust
 
-_PACES = {"real": 1.0, "fast": 10.0}
-_SLOWEST, _FASTEST = 0.01, 10.0
-
-
-def _pace(text: str | float) -> float:
-    """A pace by name or number; the default comes as a number."""
-    try:
-        pace = _PACES.get(str(text)) or float(text)
-    except ValueError:
-        raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
-    if not _SLOWEST <= pace <= _FASTEST:
-        raise typer.BadParameter(f"{text} is not in the range {_SLOWEST:g} to {_FASTEST:g}")
-    return pace
-
 
 def serve(
     robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
@@ -52,15 +40,7 @@ def serve(
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
     ] = 0,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
-    pace: Annotated[
-        float,
-        typer.Option(
-            parser=_pace,
-            metavar="real|fast|NUMBER",
-            help="Simulated seconds in a second, 0.01 to 10.",
-            show_default="real",
-        ),
-    ] = _PACES["real"],
+    pace: ServedPaceOption = REAL_PACE,
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
     ordinary: Annotated[

@@ -93,6 +93,7 @@ class LiveExecutive:
         self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
         self._tree: TaskTree | None = None
+        self._last_tree: Sequence[Mapping[str, Any]] | None = None
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
@@ -169,8 +170,12 @@ class LiveExecutive:
             "state": state,
             "paused": paused,
             "question": question and question_json(question),
-            "tree": self._tree and tree_json(self._tree.snapshot(self._link.now_s).root),
+            "tree": self._tree_json(),
+            "last_tree": None if self._tree else self._last_tree,
         }
+
+    def _tree_json(self) -> Sequence[Mapping[str, Any]] | None:
+        return self._tree and tree_json(self._tree.snapshot(self._link.now_s).root)
 
     def scene(self) -> Sequence[Mapping[str, Any]]:
         """What the robot believes to be around it, as JSON values."""
@@ -207,6 +212,7 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
+            self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
