@@ -20,6 +20,7 @@ HELP = (
     "While I work: 'stop' is the emergency stop, which latches; 'cancel' ends the task; 'pause' and 'go on'.",
     "A question is answered by its number, in words, or with 'never mind'. 'quit' ends the chat.",
 )
+_WHY_TELLS, _HELP_TELLS = "('why' tells more)", "('help' tells what can be said)"
 _STAMP = re.compile(r"^\[ *[\d.]+ s\] ")
 _TIMES = re.compile(r" \(-?[\d.]+ s simulated, [\d.]+ s wall\)")
 _KIND = re.compile(r" \[[A-Z]+\]")
@@ -44,18 +45,34 @@ def spoken(line: str) -> str | None:
     """What of a line of feedback the robot says in the conversation; None where it is for the log."""
     told = _STAMP.sub("", line)
     for begin, said in _SPOKEN:
-        if told.startswith(begin):
-            return f"{said}{told.removeprefix(begin)}"
+        rest = told.removeprefix(begin)
+        if rest != told:
+            return f"{said}{rest}" if " " in rest else None  # "describe" tells nothing that was not said
     return None
 
 
-def what_became(status: TaskStatus) -> tuple[str, Style]:
-    """One sentence about a task that has ended, and what it is like."""
+def what_became(status: TaskStatus, spoken_last: str = "") -> tuple[str, Style]:
+    """One sentence about a task that has ended, and what it is like.
+
+    Args:
+        status: How it ended.
+        spoken_last: What the robot said last; that is not said again.
+    """
     told = _KIND.sub("", _TIMES.sub("", status.message))
     outcome, _, rest = told.partition(": ")
-    plain = f"{outcome.capitalize()}: {rest}" if rest else told
-    more = " ('why' tells more)" if failures_of(status) and status.outcome != "question" else ""
-    return f"{plain.rstrip('.')}.{more}", _STYLES.get(status.outcome, "ask")
+    if status.outcome == "question":
+        outcome = "not done, for nobody answered"
+    plain = f"{outcome.capitalize()}: {rest}" if rest and rest != spoken_last else outcome.capitalize()
+    return f"{plain.rstrip('.')}.{_more(status)}", _STYLES.get(status.outcome, "ask")
+
+
+def _more(status: TaskStatus) -> str:
+    """What can be asked after a task that did not end well."""
+    if status.outcome in ("done", "question"):
+        return ""
+    if failures_of(status):
+        return f" {_WHY_TELLS}"
+    return f" {_HELP_TELLS}" if status.outcome == "refused" else ""
 
 
 def code_of(status: TaskStatus) -> ExitCode:
@@ -78,7 +95,7 @@ def why(status: TaskStatus | None) -> list[str]:
     """Why the last task ended as it did."""
     if status is None:
         return ["Nothing has been tried yet."]
-    said = [f"The last task, {status.text!r}:", what_became(status)[0].replace(" ('why' tells more)", "")]
+    said = [f"The last task, {status.text!r}:", what_became(status)[0].removesuffix(_WHY_TELLS).rstrip()]
     for text, failure in failures_of(status):
         said += [f"{text!r}:"] if text != status.text else []
         said += [f"  {line}" for line in explained(failure)]

@@ -19,6 +19,12 @@ class Aside:
 
     def __init__(self) -> None:
         self._done: queue.SimpleQueue[_Done] = queue.SimpleQueue()
+        self._awaited = 0
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether every call has returned, and that was taken."""
+        return self._awaited == 0
 
     def do(self, call: Callable[[], T], then: Callable[[T], None], wrong: Callable[[str], None]) -> None:
         """Make a call.
@@ -28,6 +34,8 @@ class Aside:
             then: Takes what it returns, in the thread that calls ``settle``.
             wrong: Takes why the robot, or whoever was called, did not answer; likewise.
         """
+
+        self._awaited += 1
 
         def make() -> None:
             try:
@@ -47,4 +55,5 @@ class Aside:
                 done = self._done.get_nowait()
             except queue.Empty:
                 return
+            self._awaited -= 1
             done()

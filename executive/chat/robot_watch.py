@@ -98,7 +98,7 @@ def tree_of(nodes: Sequence[Mapping[str, Any]]) -> NodeSnapshot:
     depth = int(root["depth"])
     children: list[NodeSnapshot] = []
     begins = [index for index, one in enumerate(below) if int(one["depth"]) == depth + 1]
-    for begin, end in zip(begins, [*begins[1:], len(below)], strict=True):
+    for begin, end in zip(begins, [*begins[1:], len(below)], strict=False):
         children.append(tree_of(below[begin:end]))
     kind: NodeKind = "sequence" if children else "leaf"
     return NodeSnapshot(root["name"], kind, root["status"], root["message"], tuple(children))

@@ -12,11 +12,9 @@ from typing import Any
 
 from executive.chat import answers
 from executive.chat.aside import Aside
-from executive.chat.front import Front, Meant
 from executive.chat.phrases import Ask, asked_of_chat
 from executive.chat.robot_watch import RobotStanding
 from executive.chat.talked import Begun, Talked
-from executive.chat.understanding import GaveUp, Understanding
 from executive.chat.utterance import Utterance
 from executive.dialogue.clarification import OpenQuestion
 from executive.doors.served_robot import TaskStatus
@@ -39,11 +37,10 @@ class Talk:
         standing: How the robot stands now.
         how_to_reset: What a person does to leave an emergency stop.
         reset: Leaves it, for a person at this terminal; None where nobody is known to be there.
-        front: Who understands a line before the robot does; None leaves every line as it is.
 
     Attributes:
         code: Exit code of the last task.
-        question: What is asked and not answered yet, by the robot or by the front.
+        question: What the robot has asked, and nobody answered yet.
         waiting: Lines that wait for their turn.
     """
 
@@ -55,24 +52,20 @@ class Talk:
         standing: Callable[[], RobotStanding],
         how_to_reset: str,
         reset: Callable[[], str] | None = None,
-        front: Front | None = None,
     ) -> None:
         self._robot, self._show, self._log, self._standing = robot, show, log, standing
         self._how_to_reset, self._reset = how_to_reset, reset
         self._aside = Aside()
-        self._front = (
-            None if front is None else Understanding(front, self._aside, self._ask, self._take_meaning)
-        )
         self.code = ExitCode.DONE
         self.question: OpenQuestion | None = None
         self.waiting: deque[str] = deque()
-        self._text = self._said = ""
+        self._text = self._spoken = ""
         self._run: Begun | None = None
         self._told = 0
         self._put: Mapping[str, Any] | None = None
         self._last: TaskStatus | None = None
-        self._by_front = False
         self._interrupts = 0
+        self._warned = False
         self._ending = self._left_open = False
         self._lost = False
 
@@ -80,7 +73,7 @@ class Talk:
 
     @property
     def under_way(self) -> str:
-        """What is being done, or understood; nothing while the robot is free."""
+        """What is being done; nothing while the robot is free."""
         return self._text
 
     @property
@@ -91,7 +84,7 @@ class Talk:
     @property
     def is_over(self) -> bool:
         """Whether the conversation has ended, and nothing is under way any more."""
-        return self._lost or (self._ending and not self._text)
+        return self._lost or (self._ending and not self._text and self._aside.is_idle)
 
     # ------------------------------------------------------------------ what comes in
 
@@ -143,7 +136,7 @@ class Talk:
     def end(self, reason: str) -> None:
         """End as soon as the robot holds."""
         self._ending = True
-        if self._text:
+        if self._text and self.question is None:
             self._cancel(reason, "Then this chat ends.")
 
     # ------------------------------------------------------------------ what goes on
@@ -167,6 +160,7 @@ class Talk:
             said = answers.spoken(line)
             if said is not None:
                 self._say(said)
+                self._spoken = said
             self._log(line)
         if ended:
             self._finish(status)
@@ -183,15 +177,12 @@ class Talk:
         self._run, self.question, self._put = None, None, None
         self._last = status
         self.code = ExitCode.QUESTION if self._left_open else answers.code_of(status)
-        said, style = answers.what_became(status)
+        said, style = answers.what_became(status, self._spoken)
         self._say(said, style=style)
-        if status.outcome in ("cancelled", "refused") and self._standing().emergency:
+        if status.outcome in ("cancelled", "refused") and self._standing().emergency and not self._warned:
             self._say(self._how_to_reset, style="alarm")
         self._text = ""
-        if status.outcome == "failed" and self._by_front and self._front is not None and not self._ending:
-            self._text = self._said
-            self._front.anew(status)
-        elif status.outcome == "done":
+        if status.outcome == "done":
             self._go_on_with_what_waits()
         else:
             self._drop_what_waits()
@@ -218,35 +209,15 @@ class Talk:
     # ------------------------------------------------------------------ a task
 
     def _begin(self, line: str) -> None:
-        self._text = self._said = line
-        self._interrupts, self._by_front = 0, False
-        if self._front is None:
-            self._order(Meant(line))
-        else:
-            self._front.begin(line)
-
-    def _take_meaning(self, meaning: Meant | GaveUp | None) -> None:
-        match meaning:
-            case Meant():
-                self._order(meaning)
-            case GaveUp(""):
-                self._withdrawn()
-            case GaveUp(reason):
-                self._text, self.code = "", ExitCode.INVALID
-                self._say(f"Not understood, and nothing moves: {reason}.", style="bad")
-                self._drop_what_waits()
-            case None:
-                self._text = ""
-                self._drop_what_waits()
-
-    def _order(self, meant: Meant) -> None:
-        self._by_front = meant.order != self._said
+        self._interrupts, self._warned = 0, False
         try:
-            self._run, self._told = self._robot.begin(meant.order), 0
+            self._run, self._told = self._robot.begin(line), 0
         except (LiveError, UserError) as wrong:
-            self._text, self.code = "", ExitCode.INVALID
+            self.code = ExitCode.INVALID
             self._say(f"Not begun: {wrong}.", style="bad")
             self._drop_what_waits()
+        else:
+            self._text = line
 
     def _wait(self, line: str) -> None:
         if len(self.waiting) >= MOST_WAITING:
@@ -263,31 +234,17 @@ class Talk:
         self._show(Utterance("robot", (*question.lines(), *hint), "ask"))
 
     def _answer(self, line: str) -> None:
-        question, self.question = self.question, None
-        if self._run is not None:
-            self._aside.do(lambda: self._robot.answer(line), self._answered, self._complain)
-        elif question is not None and self._front is not None:
-            self._front.answer(question, line)
+        self.question = None
+        self._aside.do(lambda: self._robot.answer(line), self._answered, self._complain)
 
     def _answered(self, was_asked: bool) -> None:
         if not was_asked:
             self._say("No question is open any more.", style="ask")
 
-    def _withdrawn(self) -> None:
-        """What was not begun yet is given up."""
-        if self._front is not None:
-            self._front.give_up()
-        self._text, self.question, self.code = "", None, ExitCode.CANCELLED
-        self._say("Cancelled: nothing was begun, nothing moved.", style="ask")
-        self._drop_what_waits()
-
     def _leave_open(self) -> None:
         self.question, self._left_open = None, True
         self._say("The question stays open: nobody is there to answer. Nothing has moved since.", style="ask")
-        if self._run is None:
-            self._text = ""
-        else:
-            self._send_cancel("nobody is there to answer")
+        self._send_cancel("nobody is there to answer")
         self.waiting.clear()
         self.code = ExitCode.QUESTION
 
@@ -318,14 +275,17 @@ class Talk:
                 raise ValueError(asked)
 
     def _cancel(self, reason: str, more: str) -> None:
-        if self._run is None:
-            self._withdrawn()
-            return
         self._say(" ".join(f"Cancelling: I brake and hold. {more}".split()), style="ask")
         self._send_cancel(reason)
 
     def _send_cancel(self, reason: str) -> None:
-        self._aside.do(lambda: self._robot.cancel(reason), lambda _under_way: None, self._complain)
+        run = self._run
+
+        def sent(under_way: bool) -> None:
+            if not under_way and run is not None and run is self._run and not run.ended:
+                self._send_cancel(reason)  # it came before the task that it is for
+
+        self._aside.do(lambda: self._robot.cancel(reason), sent, self._complain)
 
     def _stop(self, reason: str) -> None:
         try:
@@ -333,9 +293,8 @@ class Talk:
         except LiveError as gone:
             self._say(f"THE STOP DID NOT REACH THE ROBOT: {gone}", style="alarm")
             return
+        self._warned = True
         self._say(f"Stopped: the emergency stop is engaged. {self._how_to_reset}", style="alarm")
-        if self._text and self._run is None:
-            self._withdrawn()
         self._drop_what_waits()
 
     def _leave_stop(self) -> None:

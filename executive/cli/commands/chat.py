@@ -64,7 +64,7 @@ def chat(
         bool, typer.Option("--plain", help="Lines instead of a screen; automatic in a pipe.")
     ] = False,
 ) -> None:
-    """Talk to a robot: commands, questions, stops, and what became of them; its own, or one that is served."""
+    """Talk to a robot, its own or one that is served: commands, questions, stops, and what became of it."""
     use_config(config)
     is_served = attach or folder is not None
     if is_served and (given := [f"--{name}" for name, value in _own(robot, scene, seed, record) if value]):
@@ -74,7 +74,7 @@ def chat(
         if not quiet:
             typer.echo(line, err=True)
 
-    outlet = [say]
+    outlet: list[Callable[[str], None]] = [say]
     with ExitStack() as closing:
         if is_served:
             where = folder or runtime_directory()
@@ -183,7 +183,7 @@ def _resetting(where: Path, by_a_person: bool) -> tuple[str, Callable[[], str] |
 
 @contextmanager
 def _heeding(talk: Talk, clear_line: Callable[[], bool]) -> Iterator[Callable[[], None]]:
-    """Take signals to end; what is yielded heeds them: Ctrl-C is the conversation's, any other one ends it."""
+    """Take signals to end; what is yielded heeds them: Ctrl-C is the conversation's, any other ends it."""
     from executive.ending_signals import taken_by, told
 
     signals: list[int] = []

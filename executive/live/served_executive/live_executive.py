@@ -175,7 +175,7 @@ class LiveExecutive:
         }
 
     def _tree_json(self) -> Sequence[Mapping[str, Any]] | None:
-        return self._tree and tree_json(self._tree.snapshot(self._link.now_s).root)
+        return None if self._tree is None else tree_json(self._tree.snapshot(self._link.now_s).root)
 
     def scene(self) -> Sequence[Mapping[str, Any]]:
         """What the robot believes to be around it, as JSON values."""
