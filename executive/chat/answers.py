@@ -51,6 +51,11 @@ def spoken(line: str) -> str | None:
     return None
 
 
+def is_feedback(line: str) -> bool:
+    """Whether a line tells what goes on; questions come in lines as well, but are put in the conversation."""
+    return _STAMP.match(line) is not None
+
+
 def what_became(status: TaskStatus, spoken_last: str = "") -> tuple[str, Style]:
     """One sentence about a task that has ended, and what it is like.
 

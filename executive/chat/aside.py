@@ -34,7 +34,6 @@ class Aside:
             then: Takes what it returns, in the thread that calls ``settle``.
             wrong: Takes why the robot, or whoever was called, did not answer; likewise.
         """
-
         self._awaited += 1
 
         def make() -> None:

@@ -29,7 +29,7 @@ from executive.screens.rows import (
 )
 from executive.screens.screen import WIDE, ScreenState, header_row
 
-KEYS = "Enter say   Ctrl-X stop   Ctrl-C cancel   Ctrl-P pause   PgUp/PgDn scroll   Ctrl-D end"
+KEYS = "Ctrl-X stop   Ctrl-C cancel   Ctrl-P pause   PgUp/PgDn scroll   Ctrl-D end"
 _TREE_ROWS = 9
 """Of a narrow screen, at most."""
 _LOG_SHARE = 3
@@ -132,6 +132,8 @@ def _utterance(said: Utterance, width: int, unicode: bool) -> list[Row]:
 
 def _wrapped(line: str, width: int, indent: int) -> list[str]:
     """A line in pieces of at most so many columns, broken between words; a longer word is cut."""
+    if cell_len(line) <= width:
+        return [line]
     pieces, piece = [], " " * indent
     for word in line.split():
         for part in chop_cells(word, max(width - indent - 2, 1)):

@@ -81,15 +81,29 @@ class RobotWatch:
 
 def standing_in(status: Mapping[str, Any], last: TreeSnapshot | None) -> RobotStanding:
     """How the robot stands, from its answer; ``last`` is the tree of the look before."""
-    t_s = float(status.get("t_s", 0.0))
-    nodes = status.get("tree") or status.get("last_tree")
     return RobotStanding(
-        t_s,
+        float(status.get("t_s", 0.0)),
         str(status.get("state", "NORMAL")),
         str((status.get("emergency") or {}).get("engaged", "")),
         bool(status.get("paused")),
-        TreeSnapshot(t_s, 0, tree_of(nodes)) if nodes else last,
+        _tree(status, last),
     )
+
+
+def _tree(status: Mapping[str, Any], last: TreeSnapshot | None) -> TreeSnapshot | None:
+    """The tree under way, or how the last one ended; what was halted stands as it was seen last, at rest."""
+    t_s, under_way, ended = float(status.get("t_s", 0.0)), status.get("tree"), status.get("last_tree")
+    if under_way:
+        return TreeSnapshot(t_s, 0, tree_of(under_way))
+    if ended and (ended[0]["status"] != "idle" or last is None):
+        return TreeSnapshot(t_s, 0, tree_of(ended))
+    return None if last is None else replace(last, root=_at_rest(last.root))
+
+
+def _at_rest(node: NodeSnapshot) -> NodeSnapshot:
+    """The node as it stands when nothing runs any more."""
+    children = tuple(map(_at_rest, node.children))
+    return replace(node, status="idle" if node.status == "running" else node.status, children=children)
 
 
 def tree_of(nodes: Sequence[Mapping[str, Any]]) -> NodeSnapshot:

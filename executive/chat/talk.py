@@ -161,7 +161,8 @@ class Talk:
             if said is not None:
                 self._say(said)
                 self._spoken = said
-            self._log(line)
+            if answers.is_feedback(line):
+                self._log(line)
         if ended:
             self._finish(status)
         elif status.question is not None and status.question is not self._put:
