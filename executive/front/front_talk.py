@@ -21,6 +21,7 @@ from executive.dialogue.clarification import (
 from executive.dialogue.settle_words import Settling, goes_on
 from executive.front.front_model import FrontModel, Waiting
 from executive.front.proposal import Asked, Context, ModelFailure, Proposed
+from executive.front.recorded import MODEL_INPUT, written_answer
 from executive.front.things_around import things_around
 from executive.meaning import Parsed, Question, Refusal
 from executive.session.driver import driven
@@ -126,19 +127,21 @@ class FrontTalk:
     def _steps(self, statement: Statement, context: Context) -> Settling:
         text = statement.parsed.text
         for _ in range(MAX_TRIES):
-            answered = self._front.understand(text, context, self._waiting)
+            answer = self._front.ask(text, context, self._waiting)
+            self._sink(InputTaken(self._now_s(), MODEL_INPUT, written_answer(answer)))
+            answered = self._front.judged(answer, text, context)
             if (ended := self._interruption()) is not None:
                 return ended
             if isinstance(answered, ModelFailure):
                 return _refused(statement, answered.reason)
             found = answered
             confirmed = isinstance(found, Proposed) and not (self._front.reads_back or found.must_ask)
-            answer = None if confirmed else (yield from self._asked(text, found))
+            reply = None if confirmed else (yield from self._asked(text, found))
             if not confirmed and (ended := self._interruption()) is not None:
                 return ended
-            if not confirmed and answer is None:
+            if not confirmed and reply is None:
                 break
-            meant = Chosen(0) if answer is None else understood_answer(answer, _choices(found))
+            meant = Chosen(0) if reply is None else understood_answer(reply, _choices(found))
             match meant, found:
                 case Chosen(0), Proposed(understood, document):
                     self._tried[text] = _Tried(document, context)
@@ -146,15 +149,29 @@ class FrontTalk:
                 case ((Chosen() | Withdrawn()), _):
                     return _refused(replace(statement, parsed=Parsed(text)), "withdrawn by the answer")
                 case Unclear(), _:
-                    context = context.answering(_words(found), answer or "")
-        question = Question(_words(found), _choices(found))
-        return statement.meaning(Understood(Parsed(text, question=question)))
+                    context = context.answering(_words(found), reply or "")
+        return statement.meaning(Understood(as_parsed(Parsed(text), found, reads_back=True)))
 
     def _asked(self, text: str, found: Proposed | Asked) -> Generator[OpenQuestion, str | None, str | None]:
         self._sink(QuestionAsked(self._now_s(), text, _words(found), _choices(found)))
         answer = yield OpenQuestion(_words(found), _choices(found))
         self._sink(InputTaken(self._now_s(), "answer", answer or ""))
         return answer
+
+
+def as_parsed(parsed: Parsed, found: Proposed | Asked | ModelFailure, reads_back: bool) -> Parsed:
+    """What is known of a sentence before anybody has answered: tasks, a question or a refusal.
+
+    Args:
+        parsed: What the parser makes of it.
+        found: What the model makes of it.
+        reads_back: Whether everything is read back.
+    """
+    if isinstance(found, ModelFailure):
+        return _refused(Statement(parsed), found.reason).parsed
+    if isinstance(found, Proposed) and not (reads_back or found.must_ask):
+        return replace(found.understood.parsed, text=parsed.text)
+    return Parsed(parsed.text, question=Question(_words(found), _choices(found)))
 
 
 def _words(found: Proposed | Asked) -> str:

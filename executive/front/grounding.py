@@ -18,7 +18,7 @@ from trees.tasks import WHERE_IT_WAS, ObjectDescription, ObjectOf, Relation
 
 _HERE = frozenset({"me", "you", "in_front", "robot", "start", "here", "person", WHERE_IT_WAS})
 """Whom and what nobody has to name."""
-_NOT_NAMED = frozenset({"text", "about"})
+_NOT_NAMED = frozenset({"text", "about", "question"})
 """Slots that name nothing: the sentence, and what a question is about."""
 _SIDES = {"leftmost": "left", "rightmost": "right"}
 _SHORTEST_SPOKEN = 4
@@ -37,8 +37,12 @@ def ungrounded(
     """
     found = [word for command, source in commands for word in _of(command, source.form == "action", said)]
     for step in sorted({source.step for _, source in commands if source.form == "sentence"}):
-        numbers = SaidWords([sentences[step]]).numbers
-        found += [f"{number:g}" for number in sorted(numbers) if number not in said.numbers]
+        own = SaidWords([sentences[step]])
+        found += [
+            f"{number:g}"
+            for number in sorted(own.amounts)
+            if not any(said.measures(number * factor) for factor in own.factors)
+        ]
     return tuple(dict.fromkeys(found))
 
 
@@ -65,7 +69,7 @@ def _spoken(word: str, said: SaidWords) -> bool:
 def _named(value: Any, said: SaidWords) -> Iterator[str]:
     match value:
         case str():
-            if value not in _HERE and not said.names(_SIDES.get(value, value)):
+            if value not in _HERE and not (said.names(value) or said.names(_SIDES.get(value, value))):
                 yield value.replace("_", " ")
         case ObjectDescription():
             for field in fields(value):

@@ -30,8 +30,8 @@ class SaidWords:
         self._vocabulary = parser_with(config_files(), place_words()).vocabulary
         self._words: set[str] = set()
         self._meanings: set[str] = set()
-        self._factors = {1.0}
-        self.numbers: set[float] = {1.0}
+        self.factors = {1.0}
+        self.amounts: set[float] = {1.0}
         for text in texts:
             self._take([word.removesuffix("'s") for word, _, _ in split_words(text.replace("’", "'"))])
 
@@ -59,27 +59,26 @@ class SaidWords:
         """Whether a number was said, in whatever of the units that were said."""
         return any(
             abs(value - number * factor) <= 1e-3 * abs(value) + 1e-9
-            for number in self.numbers
-            for factor in self._factors
+            for number in self.amounts
+            for factor in self.factors
         )
 
     def _take(self, words: Sequence[str]) -> None:
         index, before = 0, (-1, 0.0)
         while index < len(words):
-            longest = 1
-            for length, reading in self._vocabulary.matches(words, index):
-                if reading.word_class in _NAMING:
+            matches = list(self._vocabulary.matches(words, index))
+            longest = max((n for n, one in matches if one.word_class not in _NAMING), default=1)
+            for length, reading in matches:
+                if reading.word_class in _NAMING and length >= longest:
                     self._meanings.add(reading.meaning)
                     self._words.update(words[index : index + length])
                 elif reading.word_class in _UNITS:
-                    self._factors.add(float(reading.meaning))
-                else:
-                    longest = max(longest, length)
+                    self.factors.add(float(reading.meaning))
             number = self._number(words, index)
             if number is not None:
-                self.numbers.add(number)
+                self.amounts.add(number)
                 if before[0] == index - 1:
-                    self.numbers.add(before[1] + number)
+                    self.amounts.add(before[1] + number)
                 before = (index, number)
             if longest == 1:
                 self._words.add(words[index])

@@ -16,6 +16,7 @@ from executive.ending_signals import EndedBySignal, taken_by, told
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
 from executive.front.front_talk import FrontTalk
+from executive.front.recorded import front_header
 from executive.reports.report import Report
 from executive.robot_settings import RobotSettings, robot_settings
 from executive.runs.junit import write_junit
@@ -140,6 +141,7 @@ def _header(request: RunRequest) -> dict[str, Any]:
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
         **({} if request.settings is None else {"says_of_itself": request.settings.to_json()}),
+        **({} if request.front is None else {"model": front_header(request.front)}),
         **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
 

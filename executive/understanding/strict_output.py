@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from executive.understanding.model_output import model_output_schema
+from executive.understanding.understanding import without_fence
 from executive.understanding.untrusted_json import UntrustedJsonError, read_json
 
 NAME = "steps_for_the_robot"
@@ -104,7 +105,7 @@ def read_strict_answer(text: str) -> StrictAnswer:
         AnswerShapeError: It is not JSON, calls a tool, or holds nothing to be done and no question.
     """
     try:
-        document = read_json(text.strip())
+        document = read_json(without_fence(text.strip()))
     except UntrustedJsonError as wrong:
         raise AnswerShapeError(str(wrong)) from wrong
     question: Any = None

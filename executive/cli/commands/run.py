@@ -80,7 +80,7 @@ def run(
     trust = Trust(confidence, policy.value)
     asker, front = None, None
     if model is not None:
-        from executive.doors.model.model_asker import front_model
+        from executive.doors.model.front_model import front_model
 
         front, asker = front_model(model, trust, reads_back=not yes)
     script = script_for(text, trust, scene)

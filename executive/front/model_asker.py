@@ -7,12 +7,9 @@ from concurrent.futures import Future
 from types import TracebackType
 from typing import Any
 
-from executive.config import config_files, environment_value
-from executive.doors.companion import require_extra
-from executive.front.front_model import FrontModel, Waiting
-from executive.front.model_settings import ModelSettings, ModelSettingsError, model_called
+from executive.front.front_model import Waiting
+from executive.front.model_settings import ModelSettings
 from executive.front.proposal import ModelFailure, ModelFailureKind
-from executive.trust import Trust
 from robots.clock import WallClock
 from robots.live.wire.child_process import ChildProcess
 from robots.live.wire.errors import LiveError
@@ -74,28 +71,3 @@ class ModelAsker:
             self.close()
             return ModelFailure.of(ModelFailureKind.UNREACHABLE, str(gone))
         return found
-
-
-def front_model(name: str, trust: Trust, reads_back: bool = True) -> tuple[FrontModel, ModelAsker]:
-    """The model that a user calls by a name; nothing is sent before it is asked.
-
-    Args:
-        name: As ``[models.NAME]`` has it.
-        trust: How far its confidences are trusted.
-        reads_back: Whether everything is read back, or only what must be.
-
-    Returns:
-        The model, and what asks its server, to be closed in the end.
-
-    Raises:
-        ModelSettingsError: There is no such model, a file is wrong, or its key is not there.
-        MissingExtraError: The client's package is not installed.
-    """
-    settings = model_called(name, config_files())
-    require_extra("models", "openai")
-    if settings.key_env and not environment_value(settings.key_env):
-        raise ModelSettingsError(
-            f"models.{name}.key_env: the environment variable {settings.key_env} is not set; it holds the key"
-        )
-    asker = ModelAsker(settings)
-    return FrontModel(settings, asker, trust, reads_back), asker
