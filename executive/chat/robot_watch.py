@@ -93,7 +93,7 @@ def standing_in(status: Mapping[str, Any], last: TreeSnapshot | None) -> RobotSt
 def _tree(status: Mapping[str, Any], last: TreeSnapshot | None) -> TreeSnapshot | None:
     """The tree under way, or how the last one ended; what was halted stands as it was seen last, at rest."""
     t_s, under_way, ended = float(status.get("t_s", 0.0)), status.get("tree"), status.get("last_tree")
-    if under_way:
+    if under_way and (under_way[0]["status"] != "idle" or last is None):
         return TreeSnapshot(t_s, 0, tree_of(under_way))
     if ended and (ended[0]["status"] != "idle" or last is None):
         return TreeSnapshot(t_s, 0, tree_of(ended))

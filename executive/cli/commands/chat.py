@@ -16,9 +16,11 @@ from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
     FolderOption,
+    ModelOption,
     PolicyChoice,
     PolicyOption,
     ServedPaceOption,
+    YesOption,
     not_empty,
     whole_number_from,
 )
@@ -58,6 +60,8 @@ def chat(
     pace: ServedPaceOption = REAL_PACE,
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
+    model: ModelOption = None,
+    yes: YesOption = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the conversation.")] = False,
     config: ConfigOption = None,
     plain: Annotated[
@@ -67,8 +71,10 @@ def chat(
     """Talk to a robot, its own or one that is served: commands, questions, stops, and what became of it."""
     use_config(config)
     is_served = attach or folder is not None
-    if is_served and (given := [f"--{name}" for name, value in _own(robot, scene, seed, record) if value]):
-        raise typer.BadParameter(f"{given[0]}: the robot is served already, as it was started")
+    own = [f"--{name}={value}" for name, value in _own(robot, scene, seed, record, model) if value]
+    own += ["--yes"] if yes else []
+    if is_served and own:
+        raise typer.BadParameter(f"{own[0]}: the robot is served already, as it was started")
 
     def say(line: str) -> None:
         if not quiet:
@@ -79,8 +85,7 @@ def chat(
         if is_served:
             where = folder or runtime_directory()
         else:
-            options = [f"--{name}={value}" for name, value in _own(robot, scene, seed, record) if value]
-            options += [f"--pace={pace}", f"--confidence={confidence}", f"--policy={policy.value}"]
+            options = [*own, f"--pace={pace}", f"--confidence={confidence}", f"--policy={policy.value}"]
             say("the robot gets ready …")
             where = _serve(options, lambda line: outlet[0](line), closing)
         code = _talk(where, plain, outlet, closing)
@@ -88,7 +93,7 @@ def chat(
 
 
 def _own(
-    robot: str | None, scene: str | None, seed: int | None, record: Path | None
+    robot: str | None, scene: str | None, seed: int | None, record: Path | None, model: str | None
 ) -> list[tuple[str, str]]:
     """Options that are for a robot of the chat's own, as ``serve`` takes them; empty where not given."""
     return [
@@ -96,6 +101,7 @@ def _own(
         ("scene", scene or ""),
         ("seed", "" if seed is None else str(seed)),
         ("record", "" if record is None else str(record)),
+        ("model", model or ""),
     ]
 
 

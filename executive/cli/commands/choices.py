@@ -47,6 +47,14 @@ ConfigOption = Annotated[
     typer.Option("--config", metavar="FILE.toml", help="A TOML file with words of your own."),
 ]
 
+ModelOption = Annotated[
+    str | None,
+    typer.Option("--model", metavar="NAME", help="A language model in front: [models.NAME] of the settings."),
+]
+YesOption = Annotated[
+    bool, typer.Option("--yes", help="No read-back of what stands in your own words and is sure.")
+]
+
 FolderOption = Annotated[
     Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
 ]

@@ -14,9 +14,11 @@ from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
     FolderOption,
+    ModelOption,
     PolicyChoice,
     PolicyOption,
     ServedPaceOption,
+    YesOption,
     not_empty,
     whole_number_from,
 )
@@ -62,6 +64,8 @@ def serve(
         str,
         typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands."),
     ] = "lo",
+    model: ModelOption = None,
+    yes: YesOption = False,
     config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
@@ -81,6 +85,11 @@ def serve(
     where = folder or runtime_directory()
     bridge = _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else []
     use_config(config)
+
+    if model is not None:
+        from executive.doors.model.front_model import usable_model
+
+        usable_model(model)
 
     def say(line: str) -> None:
         if not quiet:
@@ -106,6 +115,8 @@ def serve(
         realtime=not ordinary,
         evaluation=evaluation,
         trust=Trust(confidence, policy.value),
+        model=model or "",
+        reads_back=not yes,
     )
     note_folder(request.record)
     with contextlib.ExitStack() as beside:
