@@ -12,6 +12,7 @@ from executive.chat.robot_watch import RobotWatch
 from executive.chat.talk import Talk
 from executive.dialogue.settle_words import settled
 from executive.doors.served_robot import ServedRobot
+from executive.front.front_talk import FrontTalk
 from executive.live.served_executive.desk import Desk, question_json, statements_of
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.live_executive import _is_stop, _LineStream
@@ -25,6 +26,7 @@ from executive.understanding.conversation import Conversation
 from robots.live.wire.messages import read_object, write_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.socket_server import SocketServer
+from trees.failures import Failure
 from trees.readings.odometry import what_is_around
 
 PATIENCE_S = 60.0
@@ -38,8 +40,8 @@ class ServedFake:
         stops: Emergency stops that came to the control socket.
     """
 
-    def __init__(self, stage, folder, record, tick_s=0.0005):
-        self.stage, self.record, self.tick_s = stage, record, tick_s
+    def __init__(self, stage, folder, record, tick_s=0.0005, front=None):
+        self.stage, self.record, self.tick_s, self._front = stage, record, tick_s, front
         self.stops, self._tree, self._last_tree = [], None, None
         self._order = self._display = self._account = None
         folder.make()
@@ -123,7 +125,21 @@ class ServedFake:
         self._display = PlainDisplay(_LineStream(order))
         subject = RunSubject(order.said.text, "talos", "two cups", 7)
 
+        def waiting():
+            self._pass(0.02)
+            return session.interrupted
+
+        talk = None
+        if self._front is not None:
+            talk = FrontTalk(self._front, attendant.answer, self._note, waiting)
+            talk.meet(session)
+
         def settle(understood):
+            if talk is not None and talk.takes(understood):
+                proposed = talk.settled(understood)
+                if isinstance(proposed, Failure) or proposed.parsed.question is not None:
+                    return proposed
+                understood = proposed
             return settled(
                 understood, attendant, "ask", self._note, lambda: session.now_s, session.interruption
             )
@@ -139,7 +155,8 @@ class ServedFake:
                     lambda: session.now_s,
                     lambda: request.taken(0.0, self._note),
                 )
-                results = results or run_statements(statements, session, attendant, "ask", self._note)
+                again = None if talk is None else talk.again
+                results = results or run_statements(statements, session, attendant, "ask", self._note, again)
             ending = verdict([one for one, _ in results], results)
             account.close(ending, results, 0)
         self._last_tree = (self._tree and tree_json(self._tree.snapshot(0.0).root)) or self._last_tree
@@ -166,7 +183,8 @@ class Dialogue:
         read_from, self._write_to = os.pipe()
         self.lines, self.log = [], []
         self.watch = RobotWatch(robot)
-        self.chat = PlainChat(os.fdopen(read_from, encoding="utf-8"), self.lines.append, typed)
+        self._stdin = os.fdopen(read_from, encoding="utf-8")
+        self.chat = PlainChat(self._stdin, self.lines.append, typed)
         self.talk = Talk(robot, self.chat.show, self.log.append, lambda: self.watch.now, HOW, reset)
         self.keys = []
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -249,3 +267,5 @@ def talk_to():
         one.press(lambda one=one: one.talk.end("the test has ended"))
         one.close_input()
         one._thread.join(10.0)
+        one.watch.close()
+        one._stdin.close()

@@ -7,7 +7,7 @@ from robots.fake.fake_world import cup
 
 RED = cup("a", "red", (0.45, 0.2))
 TASK = "pick up the red cup"
-MOVING = 0.02
+MOVING = 0.008
 """Wall time of a tick with which a task goes on long enough for somebody to step in."""
 
 
