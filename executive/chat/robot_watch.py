@@ -91,19 +91,19 @@ def standing_in(status: Mapping[str, Any], last: TreeSnapshot | None) -> RobotSt
 
 
 def _tree(status: Mapping[str, Any], last: TreeSnapshot | None) -> TreeSnapshot | None:
-    """The tree under way, or how the last one ended; what was halted stands as it was seen last, at rest."""
+    """The tree under way, or how the last one ended; one that was halted stands as it was seen last."""
     t_s, under_way, ended = float(status.get("t_s", 0.0)), status.get("tree"), status.get("last_tree")
     if under_way and (under_way[0]["status"] != "idle" or last is None):
         return TreeSnapshot(t_s, 0, tree_of(under_way))
     if ended and (ended[0]["status"] != "idle" or last is None):
         return TreeSnapshot(t_s, 0, tree_of(ended))
-    return None if last is None else replace(last, root=_at_rest(last.root))
+    return None if last is None else replace(last, root=_halted(last.root))
 
 
-def _at_rest(node: NodeSnapshot) -> NodeSnapshot:
-    """The node as it stands when nothing runs any more."""
-    children = tuple(map(_at_rest, node.children))
-    return replace(node, status="idle" if node.status == "running" else node.status, children=children)
+def _halted(node: NodeSnapshot) -> NodeSnapshot:
+    """The node as it stands when nothing runs any more: what ran has not been done."""
+    status = "failure" if node.status == "running" else node.status
+    return replace(node, status=status, children=tuple(map(_halted, node.children)))
 
 
 def tree_of(nodes: Sequence[Mapping[str, Any]]) -> NodeSnapshot:
