@@ -68,7 +68,7 @@ def chat(
         bool, typer.Option("--plain", help="Lines instead of a screen; automatic in a pipe.")
     ] = False,
 ) -> None:
-    """Talk to a robot, its own or one that is served: commands, questions, stops, and what became of it."""
+    """Talk to a robot: commands, questions, stops, and what became of them."""
     use_config(config)
     is_served = attach or folder is not None
     own = [f"--{name}={value}" for name, value in _own(robot, scene, seed, record, model) if value]

@@ -15,7 +15,8 @@ import pytest
 from robots.fake.fake_world import cup
 
 RED = cup("a", "red", (0.45, 0.2))
-TASK = "pick up the red cup"
+TASK = "wait for 120 seconds"
+BEGUN = "I understood: wait"
 PATIENCE_S = 60.0
 
 
@@ -93,8 +94,8 @@ def test_a_conversation_on_a_screen_leaves_the_terminal_as_it_was_and_its_words_
 
 @pytest.mark.requirement("S4")
 def test_the_stop_key_stops_while_a_task_runs_and_a_typed_reset_is_said_to_be_possible(serve, terminal):
-    robot = serve(RED, tick_s=0.01)
-    chat = terminal(robot).until("Ctrl-X stop").type(f"{TASK}\r").until("stream reach").type("\x18")
+    robot = serve(RED, tick_s=0.005)
+    chat = terminal(robot).until("Ctrl-X stop").type(f"{TASK}\r").until(BEGUN).type("\x18")
     chat.until("EMERGENCY").until("'reset' here").until("Cancelled").type("\x04")
 
     assert chat.end() == 4
@@ -103,7 +104,7 @@ def test_the_stop_key_stops_while_a_task_runs_and_a_typed_reset_is_said_to_be_po
 
 @pytest.mark.requirement("S7")
 def test_ctrl_c_clears_the_line_cancels_a_task_and_leaves_a_free_robot(serve, terminal):
-    chat = terminal(serve(RED, tick_s=0.01)).until("Ctrl-X stop").type(f"{TASK}\r").until("stream reach")
+    chat = terminal(serve(RED, tick_s=0.005)).until("Ctrl-X stop").type(f"{TASK}\r").until(BEGUN)
     chat.type("\x03").until("Cancelled: ").type("wave").until("wave").type("\x03\x03")
 
     assert chat.end() == 4
@@ -131,8 +132,8 @@ def test_without_colour_nothing_is_coloured(serve, terminal):
 
 @pytest.mark.requirement("U1")
 def test_plain_lines_on_a_terminal_hear_a_stop_while_a_task_runs(serve, terminal):
-    robot = serve(RED, tick_s=0.01)
-    chat = terminal(robot, "--plain").until("Say what to do").type(f"{TASK}\n").until("stream reach")
+    robot = serve(RED, tick_s=0.005)
+    chat = terminal(robot, "--plain").until("Say what to do").type(f"{TASK}\n").until(BEGUN)
     chat.type("stop\n").until("Stopped: ").until("Cancelled: ").type("\x04")
 
     assert chat.end() == 4
@@ -141,8 +142,8 @@ def test_plain_lines_on_a_terminal_hear_a_stop_while_a_task_runs(serve, terminal
 
 @pytest.mark.requirement("U1")
 def test_a_terminal_that_goes_cancels_what_is_under_way(serve, terminal):
-    robot = serve(RED, tick_s=0.01)
-    chat = terminal(robot).until("Ctrl-X stop").type(f"{TASK}\r").until("stream reach")
+    robot = serve(RED, tick_s=0.005)
+    chat = terminal(robot).until("Ctrl-X stop").type(f"{TASK}\r").until(BEGUN)
     chat.process.send_signal(1)
 
     assert chat.end() == 4
