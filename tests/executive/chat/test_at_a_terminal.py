@@ -105,7 +105,9 @@ def test_the_stop_key_stops_while_a_task_runs_and_a_typed_reset_is_said_to_be_po
 @pytest.mark.requirement("S7")
 def test_ctrl_c_clears_the_line_cancels_a_task_and_leaves_a_free_robot(serve, terminal):
     chat = terminal(serve(RED, tick_s=0.005)).until("Ctrl-X stop").type(f"{TASK}\r").until(BEGUN)
-    chat.type("\x03").until("Cancelled: ").type("wave").until("wave").type("\x03\x03")
+    chat.type("\x03").until("Cancelled: ").type("wave").until("wave")
+    chat.shown = ""
+    chat.type("\x03").until("you › \x1b[0m\x1b[7m \x1b[0m").type("\x03")
 
     assert chat.end() == 4
 
