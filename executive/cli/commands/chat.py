@@ -157,19 +157,19 @@ def _talk_on_screen(
     from executive.chat.chat_screen import transcript
     from executive.chat.screen_chat import ScreenChat
     from executive.chat.talk import Talk
-    from executive.chat.typed_before import lines_typed_before, remember_lines
+    from executive.chat.typed_before import TypedBefore
     from executive.screens.keyboard import Keyboard
 
-    file = state_directory() / _HISTORY
+    before = TypedBefore(state_directory() / _HISTORY)
     with Keyboard(sys.stdin) as keyboard:
-        shown = ScreenChat(Console(stderr=True), keyboard, place, lambda: watch.now, lines_typed_before(file))
+        shown = ScreenChat(Console(stderr=True), keyboard, place, lambda: watch.now, before.lines())
         outlet[0] = shown.log
         talk = Talk(robot, shown.show, shown.log, lambda: watch.now, *_resetting(where, True))
         try:
             with _heeding(talk, shown.clear_line) as heed:
                 shown.run(talk, heed)
         finally:
-            remember_lines(file, shown.line.history)
+            before.remember(shown.line.history)
     for line in transcript(shown.said):
         typer.echo(sayable(line))
     return talk.code
