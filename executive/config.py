@@ -64,6 +64,13 @@ def data_directory() -> Path:
     return platformdirs.user_data_path(APPLICATION, appauthor=False)
 
 
+def state_directory() -> Path:
+    """Where this user's history of typed lines goes, by the platform's custom."""
+    import platformdirs  # help is told without it
+
+    return platformdirs.user_state_path(APPLICATION, appauthor=False)
+
+
 def runs_directory() -> Path:
     """Where runs are recorded unless ``--record`` says otherwise."""
     return data_directory() / "runs"

@@ -10,10 +10,14 @@ import shutil
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from executive.config import runs_directory
+from executive.config import config_files, environment_value, runs_directory
 from executive.errors import ExecutiveError
 from robots.errors import RenderingUnavailableError
+
+if TYPE_CHECKING:
+    from executive.front.model_settings import ModelSettings
 
 MIN_PYTHON = (3, 11)
 _PRODUCT = "humanoid-executive"
@@ -47,7 +51,7 @@ def diagnose() -> list[Finding]:
     """Look at everything that the product needs."""
     findings = [_python(), *_packages()]
     findings += [_data("robots", _robots), _data("scenes", _scenes), _data("words", _words)]
-    return [*findings, _writable(), _kernel(), _opengl(), _ffmpeg()]
+    return [*findings, _writable(), _kernel(), _opengl(), _ffmpeg(), *_models()]
 
 
 def warm_up(tell: Callable[[str], None] = lambda _: None) -> str:
@@ -209,6 +213,28 @@ def _opengl() -> Finding:
         detail, fix = "none; only --snapshot and --video need it", f"apt-get install {DEBIAN_PACKAGES}"
         return Finding("OpenGL", False, detail, fix, needed=False)
     return Finding("OpenGL", True, "found")
+
+
+def _models() -> list[Finding]:
+    """The language models that a user has set up: where sentences go, if ``--model`` asks for one."""
+    from executive.front.model_settings import ModelSettingsError, model_settings
+
+    try:
+        known = model_settings(config_files())
+    except ModelSettingsError as wrong:
+        return [Finding("models", False, str(wrong), "mend the file of settings", needed=False)]
+    return [_model(one) for one in known.values()]
+
+
+def _model(settings: ModelSettings) -> Finding:
+    name = f"model {settings.name}"
+    what = "every sentence goes" if settings.when == "always" else "what is not understood goes"
+    detail = f"with --model {settings.name} {what} to {settings.url}, and what is seen with it"
+    if importlib.util.find_spec("openai") is None:
+        return Finding(name, False, detail, f'pip install "{_PRODUCT}[models]"', needed=False)
+    if settings.key_env and not environment_value(settings.key_env):
+        return Finding(name, False, detail, f"set {settings.key_env} to its key", needed=False)
+    return Finding(name, True, detail, needed=False)
 
 
 def _ffmpeg() -> Finding:

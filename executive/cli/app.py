@@ -11,6 +11,7 @@ from typer.core import TyperGroup
 from executive.cli.commands import (
     answer,
     cancel,
+    chat,
     check,
     doctor,
     list_,
@@ -104,6 +105,7 @@ app.command("resume")(resume.resume)
 app.command("stop")(stop.stop)
 app.command("reset")(reset.reset)
 app.command("shutdown")(shutdown.shutdown)
+app.command("chat")(chat.chat)
 app.command("mcp")(mcp.mcp)
 
 

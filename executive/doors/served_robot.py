@@ -23,7 +23,16 @@ from executive.live.caller.sendable import (
     script_lines,
     sendable,
 )
-from executive.live.desk_messages import Answer, Cancel, GetScene, Say, ScriptLine, write_desk_message
+from executive.live.desk_messages import (
+    Answer,
+    Cancel,
+    GetScene,
+    PauseTask,
+    ResumeTask,
+    Say,
+    ScriptLine,
+    write_desk_message,
+)
 from executive.scripts.task_script import load_script
 from robots.live.wire.messages import GetStatus, Stop, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
@@ -48,7 +57,8 @@ class TaskStatus:
             "question" with ``ended``.
         ended: Whether it has ended.
         message: The newest line of feedback; at the end the line with the result.
-        question: The open question, with its text and choices, or None.
+        question: The open question, with its text, its choices, and what was wrong with the answer before; or
+            None.
         lines: Feedback so far, the oldest first.
         report: The run's report, once it has ended and was recorded; see docs/reference/report.md.
         tree: The nodes of the tree under way, each with its depth, name, status and message.
@@ -129,10 +139,11 @@ class Run:
             self._changed.wait_for(lambda: self._told > seen, within_s)
             return self._told
 
-    def answered(self) -> None:
-        """Its question was answered; the next one is another."""
+    def answered(self, question: Mapping[str, Any] | None) -> None:
+        """A question of it was answered; one that has come since stays open."""
         with self._lock:
-            self._question = None
+            if self._question is question:
+                self._question = None
 
     def _hear(self) -> None:
         try:
@@ -154,7 +165,11 @@ class Run:
                     self._kept_from += len(self._lines) == MOST_LINES
                     self._lines.append(str(answer["text"]))
                 case "question":
-                    self._question = {"text": answer["text"], "choices": answer["choices"]}
+                    self._question = {
+                        key: answer[key]
+                        for key in ("text", "choices", "tried")
+                        if answer.get(key) or key == "choices"
+                    }
                 case "result":
                     self._result, self._question = answer, None
             self._told += 1
@@ -240,16 +255,26 @@ class ServedRobot:
     def answer(self, text: str) -> bool:
         """Answer the question that is open; False when none is."""
         message = write_desk_message(Answer(sendable(text)))
+        open_ones = [(run, run.status().question) for run in self._runs.values() if not run.ended]
         asked = bool(ask_at(self._where.executive_socket, message)["asked"])
         if asked:
-            for run in self._runs.values():
-                run.answered()
+            for run, question in open_ones:
+                run.answered(question)
         return asked
 
     def cancel(self, reason: str) -> bool:
         """Halt what is under way and hold; False when nothing is. No reason is too odd to halt."""
         answer = ask_at(self._where.executive_socket, write_desk_message(Cancel(printable(reason))))
         return bool(answer["under_way"])
+
+    def pause(self, reason: str) -> bool:
+        """Hold what is under way where it is, in balance; False when nothing is."""
+        answer = ask_at(self._where.executive_socket, write_desk_message(PauseTask(sendable(reason))))
+        return bool(answer["under_way"])
+
+    def resume(self) -> bool:
+        """Go on with what was paused; False when nothing was."""
+        return bool(ask_at(self._where.executive_socket, write_desk_message(ResumeTask()))["paused"])
 
     def stop(self, reason: str, category: int = 1) -> None:
         """The emergency stop, past the executive; it latches until a person resets it."""

@@ -30,6 +30,9 @@ def meaning_words(meaning: Mapping[str, Any]) -> str:
         words.append(_called(meaning["object"], "every" if action == "count" else "the"))
     if "text" in meaning:
         words.append(f'"{meaning["text"]}"')
+    words += [f"about {meaning[slot]}" for slot in ("question", "about") if slot in meaning]
+    if "of" in meaning:
+        words.append(_aim("of", meaning["of"]))
     where = "to" if "person" in meaning else toward
     for slot, before in (("person", toward), ("to", where), ("on", "on"), ("from", "from")):
         if slot in meaning:

@@ -16,6 +16,8 @@ from typing import Any
 from executive.config import forget_config, use_config
 from executive.dialogue.attendant import RecordedAttendant, Stoppable
 from executive.errors import UserError
+from executive.front.front_model import FrontModel
+from executive.front.recorded import recorded_front
 from executive.robot_settings import RobotSettings, settings_from_json
 from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun
@@ -136,7 +138,7 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     attendant = _WatchfulAttendant(_inputs(lines), cancellation, comparison, whole)
     tell(f"replaying {recorded.name}: {recorded.header.get('input', '')!r}, {len(lines)} events")
     with tempfile.TemporaryDirectory() as folder:
-        request = _request(recorded, Path(folder))
+        request = _request(recorded, lines, Path(folder))
         # a signal to end is no input of the run: it ends the comparison
         perform(request, NoDisplay(), attendant, comparison.take, cancellation, heeds_signals=False)
     comparison.end()
@@ -146,7 +148,7 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     return ReplayVerdict(comparison.count, difference, cut_off=not whole)
 
 
-def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
+def _request(recorded: RecordedRun, lines: list[str], folder: Path) -> RunRequest:
     header = recorded.header
     if header.get("live"):
         raise NotReplayableError(recorded.name, "it was carried out live, in real time")
@@ -170,8 +172,20 @@ def _request(recorded: RecordedRun, folder: Path) -> RunRequest:
         on_question=header.get("on_question", "ask"),
         trust=trust,
         faults=_faults(recorded),
+        front=_front(recorded, lines, trust),
         settings=_settings(recorded),
     )
+
+
+def _front(recorded: RecordedRun, lines: list[str], trust: Trust) -> FrontModel | None:
+    """The model in front, with what it answered then."""
+    header = recorded.header.get("model")
+    if header is None:
+        return None
+    try:
+        return recorded_front(header, _inputs(lines), trust)
+    except (TypeError, ValueError, KeyError, AttributeError) as wrong:
+        raise NotReplayableError(recorded.name, f"its model: {wrong}") from wrong
 
 
 def _settings(recorded: RecordedRun) -> RobotSettings:

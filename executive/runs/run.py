@@ -15,6 +15,8 @@ from executive.dialogue.settle_words import settled
 from executive.ending_signals import EndedBySignal, taken_by, told
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
+from executive.front.front_talk import FrontTalk
+from executive.front.recorded import front_header
 from executive.reports.report import Report
 from executive.robot_settings import RobotSettings, robot_settings
 from executive.runs.junit import write_junit
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
     from executive.screens.display import Display
 
 
+_WAITS_S = 0.02
 FINAL_HOLD_S = 0.5
 """Simulated time that a film goes on after the last task."""
 
@@ -138,6 +141,7 @@ def _header(request: RunRequest) -> dict[str, Any]:
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
         **({} if request.settings is None else {"says_of_itself": request.settings.to_json()}),
+        **({} if request.front is None else {"model": front_header(request.front)}),
         **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
 
@@ -191,7 +195,14 @@ def _results(
     def cancelled() -> Failure | None:
         return ending.cancellation.taken(0.0, sink)
 
+    talk = _talk(request, attendant, sink, ending.cancellation, cancelled)
+
     def settle(said: Statement) -> Statement | Failure:
+        if talk is not None and talk.takes(said):
+            proposed = talk.settled(said)
+            if isinstance(proposed, Failure) or proposed.parsed.question is not None:
+                return proposed
+            said = proposed
         return settled(said, attendant, request.on_question, sink, interruption=cancelled)
 
     statements, instead = settle_all(request.statements, settle, sink)
@@ -227,12 +238,34 @@ def _results(
     if request.in_real_time:
         assembly.session.watch_periods(RealPace(WallClock()))
     ending.emergency_stop = assembly.session.emergency_stop
+    if talk is not None:
+        talk.meet(assembly.session)
     with frozen_heap(), assembly.session.request(ending.cancellation):
-        results = run_statements(statements, assembly.session, attendant, request.on_question, sink)
+        again = None if talk is None else talk.again
+        results = run_statements(statements, assembly.session, attendant, request.on_question, sink, again)
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
     return results, assembly.planning.checked
+
+
+def _talk(
+    request: RunRequest,
+    attendant: Attendant,
+    sink: EventSink,
+    cancellation: Cancellation,
+    cancelled: Callable[[], Failure | None],
+) -> FrontTalk | None:
+    """The talk with the model in front, where there is one."""
+    if request.front is None:
+        return None
+    wall = WallClock()
+
+    def waiting() -> bool:
+        wall.sleep(_WAITS_S)
+        return cancellation.asked
+
+    return FrontTalk(request.front, attendant.answer, sink, waiting, interruption=cancelled)
 
 
 class _Ending:

@@ -10,6 +10,7 @@ from executive.trust import OnQuestion, Trust
 from robots.scenes.planned_fault import PlannedFault
 
 if TYPE_CHECKING:
+    from executive.front.front_model import FrontModel
     from executive.robot_settings import RobotSettings
     from executive.understanding.statement import Statement
 
@@ -38,6 +39,7 @@ class RunRequest:
         script: The task script that the statements come from, or None.
         junit: Where to write a JUnit report, or None.
         faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
+        front: The language model in front, or None.
         settings: What the robot says of itself, and when its day begins; None is what the user's files say.
     """
 
@@ -57,4 +59,5 @@ class RunRequest:
     script: Path | None = None
     junit: Path | None = None
     faults: tuple[PlannedFault, ...] = ()
+    front: FrontModel | None = None
     settings: RobotSettings | None = None

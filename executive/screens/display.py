@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import IO, TYPE_CHECKING, Any, Protocol
 
@@ -11,7 +12,8 @@ from rich.text import Text
 
 from executive.dialogue.clarification import OpenQuestion
 from executive.reports.feedback import line_for, sentence
-from executive.screens.screen import ScreenState, Style, screen
+from executive.screens.rows import Row, Style
+from executive.screens.screen import ScreenState, screen
 from executive.session.events import Event, TaskAccepted
 from executive.session.lifecycle import LifecycleChanged
 from robots.clock import WallClock
@@ -33,6 +35,7 @@ _STYLES: dict[Style, str] = {
     "bad": "red",
     "ask": "bold yellow",
     "alarm": "bold white on red",
+    "cursor": "reverse",
 }
 _KEPT_LINES = 60
 
@@ -209,7 +212,11 @@ def _changes(event: Event, state: ScreenState) -> dict[str, Any]:
 def drawing(state: ScreenState, console: Console) -> Group:
     """The screen for a console's size, in its colours if it has any."""
     unicode = console.encoding.lower().startswith("utf")
-    rows = screen(state, console.width, max(console.height - 1, 5), unicode)
+    return painted(screen(state, console.width, max(console.height - 1, 5), unicode))
+
+
+def painted(rows: Sequence[Row]) -> Group:
+    """Rows in the colours that a console has."""
     return Group(
         *(
             Text.assemble(*((cell.text, _STYLES[cell.style]) for cell in row), no_wrap=True, overflow="crop")

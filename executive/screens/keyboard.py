@@ -44,6 +44,16 @@ class Keyboard:
         ready, _, _ = select.select([self._file], [], [], timeout_s)
         return self._read(1) if ready else ""
 
+    def typed(self, timeout_s: float) -> bytes | None:
+        """All that has been typed, as soon as there is something; None once the terminal has gone."""
+        ready, _, _ = select.select([self._file], [], [], timeout_s)
+        if not ready:
+            return b""
+        try:
+            return os.read(self._file, 4096) or None
+        except OSError:
+            return None
+
     def line(self, timeout_s: float, interrupted: Callable[[], bool] = never) -> str | None:
         """A line typed with echo, or None when none comes in time, or it is not waited for any more."""
         try:

@@ -21,6 +21,9 @@ from trees.failures import Failure
 Said = tuple[Statement, list[TaskResult]]
 """A statement with the results of its tasks."""
 
+Again = Callable[[Statement, Sequence[TaskResult]], Statement | None]
+"""What is to be done instead of a statement that has failed, or None."""
+
 
 def may_start(statement: Statement) -> bool:
     """Tell whether a statement's words are as expected."""
@@ -77,10 +80,26 @@ def run_statements(
     attendant: Attendant,
     on_question: OnQuestion,
     sink: EventSink,
+    again: Again | None = None,
 ) -> list[Said]:
-    """Carry statements out, until one does not end as expected and does not say to go on."""
+    """Carry statements out, until one does not end as expected and does not say to go on.
+
+    Args:
+        statements: What was said, settled.
+        session: Carries out single tasks.
+        attendant: Who answers questions and may cancel.
+        on_question: What becomes of questions.
+        sink: Told of what is asked.
+        again: Gives another meaning of what has failed, where somebody knows one.
+    """
 
     def carry_out(statement: Statement) -> Sequence[TaskResult]:
+        results = list(once(statement))
+        while again is not None and (other := again(statement, results)) is not None:
+            results += once(other)
+        return results
+
+    def once(statement: Statement) -> Sequence[TaskResult]:
         if not statement.parsed.commands:
             return [not_understood(statement, session.now_s, sink)]
         errand = Errand(

@@ -100,7 +100,7 @@ class CommandParser:
         try:
             lattice = self._lattice(text)
             chart = self._chart(lattice)
-            outcomes = outcomes_of(chart.meanings(), self._people_in, self._may_command, remembers)
+            outcomes = outcomes_of(chart.meanings(), self._people_in, self.may_command, remembers)
         except MalformedTextError as malformed:
             return Parsed(text, refusal=Refusal(malformed.message, malformed.word, examples()[0]))
         except TooTangledError as tangled:
@@ -128,8 +128,8 @@ class CommandParser:
     def _chart(self, lattice: Lattice) -> Chart:
         return Chart(self._rules, _MEANINGS, lattice)
 
-    def _may_command(self, text: str) -> bool:
-        """Whether words to say begin as a command does."""
+    def may_command(self, text: str) -> bool:
+        """Whether some words begin as a command does."""
         said = [word for word, _, _ in split_words(text)]
         first = self.vocabulary.matches(said, 0) if said else ()
         return any(reading.word_class in self._verbs for _, reading in first)

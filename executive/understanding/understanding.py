@@ -67,7 +67,7 @@ class _Part:
 
 def is_model_output(text: str) -> bool:
     """Tell whether a text is meant as JSON: by how it begins, which is not how "[1] wave" does."""
-    return _BEGINS_JSON.match(_without_fence(text.removeprefix(BYTE_ORDER_MARK))) is not None
+    return _BEGINS_JSON.match(without_fence(text.removeprefix(BYTE_ORDER_MARK))) is not None
 
 
 def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
@@ -78,7 +78,7 @@ def understand(text: str, trust: Trust = USUAL_TRUST) -> Understood:
     from executive.understanding.model_output import ModelOutputError, read_model_output
 
     try:
-        steps = read_model_output(_without_fence(text))
+        steps = read_model_output(without_fence(text))
     except ModelOutputError as wrong:
         return Understood(Parsed(text, refusal=Refusal(f"the model's output is not valid: {wrong}")))
     parts = _parts(text, steps)
@@ -109,7 +109,7 @@ def _sentence(text: str) -> Understood:
     return Understood(parsed)
 
 
-def _without_fence(text: str) -> str:
+def without_fence(text: str) -> str:
     """A text without the marks that models put around JSON; any other text as it is."""
     fenced = _FENCED.fullmatch(text) if len(text) <= _LONGEST_FENCED else None
     return text if fenced is None else fenced.group("inside")

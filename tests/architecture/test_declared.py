@@ -25,7 +25,7 @@ ROS = {"rclpy", "std_srvs", "test_msgs", "humanoid_executive_interfaces"}
 
 
 def test_every_library_that_is_imported_is_declared():
-    extras = [line for name in ("ros", "mcp") for line in PROJECT["optional-dependencies"][name]]
+    extras = [line for name in ("ros", "mcp", "models") for line in PROJECT["optional-dependencies"][name]]
     declared = {
         re.match(r"[\w-]+", line)[0].lower().replace("_", "-") for line in [*PROJECT["dependencies"], *extras]
     }

@@ -24,6 +24,7 @@ HEAVY = {
     "cyclonedds": ("executive.doors.ros",),
     "mcp": ("executive.doors.mcp", "tools.evaluate.mcp"),
     "uvicorn": ("executive.doors.mcp",),
+    "openai": ("executive.doors.model",),
     "rclpy": ("executive.doors.ros.node",),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
@@ -38,7 +39,22 @@ ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node")
 SECRETS = ("executive.doors.mcp.serving",)
 # The one place that opens sockets, and no others than those of this machine.
 LOCAL_SOCKETS = "robots.live.wire.unix_socket"
-NETWORK = ("socket", "ssl", "http", "urllib.request", "requests", "httpx", "aiohttp", "ftplib", "smtplib")
+# The one place that speaks over a network, to the server that a user has named.
+MODEL_CLIENT = "executive.doors.model.client"
+# The one place that serves a scripted model, on loopback, for those who judge.
+SCRIPTED = "tools.evaluate.front.scripted_server"
+NETWORK = (
+    "socket",
+    "ssl",
+    "http",
+    "urllib.request",
+    "requests",
+    "httpx",
+    "httpx2",
+    "aiohttp",
+    "ftplib",
+    "smtplib",
+)
 WALL_CLOCK = re.compile(
     r"(time\.(time|time_ns|monotonic|monotonic_ns|perf_counter|perf_counter_ns|sleep|process_time|localtime"
     r"|gmtime|strftime)|datetime\.(datetime\.)?(now|utcnow|today)|datetime\.date\.today)$"
@@ -78,6 +94,8 @@ def wrong_library(module: Module) -> list[str]:
         if library in HEAVY and not _within(module.name, (*HEAVY[library], *ELSEWHERE)):
             found.append(f"{module.file}:{line}: {library} belongs to {' and '.join(HEAVY[library])}")
         mine = _within(module.name, (LOCAL_SOCKETS, *ELSEWHERE)) and name == "socket"
+        mine |= module.name == MODEL_CLIENT and name == "httpx2"
+        mine |= module.name == SCRIPTED and _within(name, ("http.server",))
         if _within(name, NETWORK) and not mine:
             found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
     if module.name == LOCAL_SOCKETS:

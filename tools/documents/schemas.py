@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from executive.understanding.model_output import model_output_schema
+from executive.understanding.strict_output import strict_output_schema
 from tools.documents.check_report_document import CheckReportDocument
 from tools.documents.published import schema_of
 from tools.documents.report_document import ReportDocument
@@ -17,6 +18,7 @@ FOLDER = Path(__file__).parents[2] / "docs" / "reference"
 
 SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
     "model_output": model_output_schema,
+    "model_output_strict": strict_output_schema,
     "report": lambda: schema_of(ReportDocument, "Report of one run"),
     "check-report": lambda: schema_of(CheckReportDocument, "Report of a check"),
     "trajectory": lambda: schema_of(TrajectoryDocument, "Stored trajectory"),

@@ -14,7 +14,8 @@ from rich.text import Text
 
 from executive.dialogue.clarification import OpenQuestion
 from executive.screens.display import drawing
-from executive.screens.screen import ScreenState, screen, text_of
+from executive.screens.rows import text_of
+from executive.screens.screen import ScreenState, screen
 from trees.snapshot import NodeSnapshot, TreeSnapshot
 
 ROOT = Path(__file__).parents[2]

@@ -47,6 +47,14 @@ ConfigOption = Annotated[
     typer.Option("--config", metavar="FILE.toml", help="A TOML file with words of your own."),
 ]
 
+ModelOption = Annotated[
+    str | None,
+    typer.Option("--model", metavar="NAME", help="A language model in front: [models.NAME] of the settings."),
+]
+YesOption = Annotated[
+    bool, typer.Option("--yes", help="No read-back of what stands in your own words and is sure.")
+]
+
 FolderOption = Annotated[
     Path | None, typer.Option("--folder", metavar="DIR", help="Where the sockets are; one for each robot.")
 ]
@@ -57,6 +65,33 @@ def not_empty(name: str | None) -> str | None:
     if name is not None and not name.strip():
         raise typer.BadParameter("the name is empty; leave the option out for the usual one")
     return name
+
+
+REAL_PACE = 1.0
+_PACES = {"real": REAL_PACE, "fast": 10.0}
+_SLOWEST, _FASTEST = 0.01, 10.0
+
+
+def served_pace(text: str | float) -> float:
+    """The pace of a served robot by name or number; the default comes as a number."""
+    try:
+        pace = _PACES.get(str(text)) or float(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
+    if not _SLOWEST <= pace <= _FASTEST:
+        raise typer.BadParameter(f"{text} is not in the range {_SLOWEST:g} to {_FASTEST:g}")
+    return pace
+
+
+ServedPaceOption = Annotated[
+    float,
+    typer.Option(
+        parser=served_pace,
+        metavar="real|fast|NUMBER",
+        help="Simulated seconds in a second, 0.01 to 10.",
+        show_default="real",
+    ),
+]
 
 
 class OnQuestionChoice(StrEnum):

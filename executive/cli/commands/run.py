@@ -13,11 +13,13 @@ import typer
 from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
+    ModelOption,
     OnQuestionChoice,
     OnQuestionOption,
     PaceChoice,
     PolicyChoice,
     PolicyOption,
+    YesOption,
     not_empty,
     whole_number_from,
 )
@@ -64,6 +66,8 @@ def run(
     plain: Annotated[
         bool, typer.Option("--plain", help="Lines instead of a drawing; automatic in a pipe.")
     ] = False,
+    model: ModelOption = None,
+    yes: YesOption = False,
 ) -> None:
     """Carry out one sentence, or a task script."""
     from executive.checks.machine import compile_kernel
@@ -74,6 +78,11 @@ def run(
 
     use_config(config)
     trust = Trust(confidence, policy.value)
+    asker, front = None, None
+    if model is not None:
+        from executive.doors.model.front_model import front_model
+
+        front, asker = front_model(model, trust, reads_back=not yes)
     script = script_for(text, trust, scene)
     request = RunRequest(
         input=text,
@@ -91,10 +100,13 @@ def run(
         in_real_time=pace is PaceChoice.REAL,
         script=Path(text) if is_script(text) else None,
         junit=junit,
+        front=front,
     )
     cancellation = Cancellation()
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
     with ExitStack() as terminal:
+        if asker is not None:
+            terminal.enter_context(asker)
         display, attendant = _terminal(request, quiet, plain, terminal, lambda: cancellation.asked)
         note_folder(request.record)
         try:

@@ -10,11 +10,15 @@ from typing import Annotated
 import typer
 
 from executive.cli.commands.choices import (
+    REAL_PACE,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
+    ModelOption,
     PolicyChoice,
     PolicyOption,
+    ServedPaceOption,
+    YesOption,
     not_empty,
     whole_number_from,
 )
@@ -28,20 +32,6 @@ from executive.config import (
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
 from executive.trust import THRESHOLD, Trust
 
-_PACES = {"real": 1.0, "fast": 10.0}
-_SLOWEST, _FASTEST = 0.01, 10.0
-
-
-def _pace(text: str | float) -> float:
-    """A pace by name or number; the default comes as a number."""
-    try:
-        pace = _PACES.get(str(text)) or float(text)
-    except ValueError:
-        raise typer.BadParameter(f"{text!r} is no pace; say 'real', 'fast' or a number") from None
-    if not _SLOWEST <= pace <= _FASTEST:
-        raise typer.BadParameter(f"{text} is not in the range {_SLOWEST:g} to {_FASTEST:g}")
-    return pace
-
 
 def serve(
     robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
@@ -52,15 +42,7 @@ def serve(
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
     ] = 0,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
-    pace: Annotated[
-        float,
-        typer.Option(
-            parser=_pace,
-            metavar="real|fast|NUMBER",
-            help="Simulated seconds in a second, 0.01 to 10.",
-            show_default="real",
-        ),
-    ] = _PACES["real"],
+    pace: ServedPaceOption = REAL_PACE,
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
     ordinary: Annotated[
@@ -82,6 +64,8 @@ def serve(
         str,
         typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands."),
     ] = "lo",
+    model: ModelOption = None,
+    yes: YesOption = False,
     config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
@@ -101,6 +85,11 @@ def serve(
     where = folder or runtime_directory()
     bridge = _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else []
     use_config(config)
+
+    if model is not None:
+        from executive.doors.model.front_model import usable_model
+
+        usable_model(model)
 
     def say(line: str) -> None:
         if not quiet:
@@ -126,6 +115,8 @@ def serve(
         realtime=not ordinary,
         evaluation=evaluation,
         trust=Trust(confidence, policy.value),
+        model=model or "",
+        reads_back=not yes,
     )
     note_folder(request.record)
     with contextlib.ExitStack() as beside:

@@ -74,7 +74,7 @@ class ServiceRequest:
     """What to serve; as the control process's options.
 
     ``fault`` is one of the connection's, for evaluations: it strikes at a signal; ``trust`` is for models'
-    output.
+    output, ``model`` the name of the one in front, ``reads_back`` whether all that it proposes is read back.
     """
 
     folder: Path
@@ -87,6 +87,8 @@ class ServiceRequest:
     evaluation: bool = False
     fault: str = ""
     trust: Trust = USUAL_TRUST
+    model: str = ""
+    reads_back: bool = True
 
 
 class Service:
@@ -226,6 +228,7 @@ class Service:
         request = self._request
         arguments = [os.fspath(request.folder), request.robot, os.fspath(request.record)]
         arguments += [f"{request.trust.threshold!r}", request.trust.policy]
+        arguments += [request.model, "" if request.reads_back else "yes"]
         arguments += [fault, str(request.seed)] if fault else []
         return subprocess.Popen(
             [sys.executable, "-m", "executive.live.served_executive.executive_process", *arguments],

@@ -2,7 +2,8 @@
 
 It attaches as the robot's commander and carries out what it is told. When the control process lets it go
 (it hung, and has woken up) it attaches again; when that is gone, it ends. Its arguments: the folder of the
-sockets, the robot, the folder of the records, confidence and policy for models' output. Evaluations add a
+sockets, the robot, the folder of the records, confidence and policy for models' output, the name of the
+model in front, and whether it is not read back what need not be ("yes"). Evaluations add a
 fault of the connection and a seed, and let it strike with SIGUSR1.
 """
 
@@ -15,6 +16,10 @@ from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
 
+from executive.config import config_files
+from executive.front.front_model import FrontModel
+from executive.front.model_asker import ModelAsker
+from executive.front.model_settings import model_called
 from executive.live.control_client.control_link import AttachRefusedError, ControlLostError
 from executive.live.served_executive.faulty_connections import StruckConnections
 from executive.live.served_executive.live_executive import LiveExecutive
@@ -42,6 +47,7 @@ def serve(
     record: Path,
     trust: Trust,
     connection: Callable[[UnixSocket], Connection] = Connection,
+    front: FrontModel | None = None,
 ) -> int:
     """Serve until the control process ends; 0 then, 1 when it never took this process."""
     wall = WallClock()
@@ -53,7 +59,7 @@ def serve(
     try:
         while refused < _PATIENCE:
             try:
-                executive = LiveExecutive(folder, model, planning, world, record, connection, trust)
+                executive = LiveExecutive(folder, model, planning, world, record, connection, trust, front)
             except NotServedError:
                 return 0
             except AttachRefusedError as wrong:
@@ -70,7 +76,16 @@ def serve(
                 executive.close()
     finally:
         planning.close()
+        if front is not None:
+            front.close()
     return 1
+
+
+def _front(name: str, trust: Trust, reads_back: bool) -> FrontModel | None:
+    if not name:
+        return None
+    settings = model_called(name, config_files())
+    return FrontModel(settings, ModelAsker(settings), trust, reads_back)
 
 
 def _say(line: str) -> None:
@@ -88,11 +103,12 @@ def main() -> int:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, _terminated)
-    folder, robot, record, threshold, policy, *fault = sys.argv[1:]
+    folder, robot, record, threshold, policy, model, yes, *fault = sys.argv[1:]
     trust = Trust(float(threshold), "partial" if policy == "partial" else "ask")
+    front = _front(model, trust, reads_back=not yes)
     connection = StruckConnections(fault[0], int(fault[1])) if fault else Connection
     try:
-        return serve(RuntimeFolder(Path(folder)), robot, Path(record), trust, connection)
+        return serve(RuntimeFolder(Path(folder)), robot, Path(record), trust, connection, front)
     except LiveError as wrong:
         _say(str(wrong))
         return 1

@@ -12,6 +12,8 @@ from executive.config import config_files
 from executive.dialogue.settle_words import settled
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
+from executive.front.front_model import FrontModel
+from executive.front.front_talk import FrontTalk
 from executive.live.control_client.control_link import ControlLink, ControlLostError
 from executive.live.control_client.live_guard import LiveGuard
 from executive.live.control_client.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
@@ -69,6 +71,8 @@ class LiveExecutive:
         world: What is believed of the world; outlives an attachment.
         record: Folder of the recorded runs.
         connection: Kind of the connection; a faulty one for evaluations.
+        trust: How far a model's output is trusted.
+        front: The language model in front, or None.
     """
 
     def __init__(
@@ -80,6 +84,7 @@ class LiveExecutive:
         record: Path,
         connection: Callable[[UnixSocket], Connection] = Connection,
         trust: Trust = USUAL_TRUST,
+        front: FrontModel | None = None,
     ) -> None:
         """Attach.
 
@@ -87,12 +92,13 @@ class LiveExecutive:
             LiveError: The control process does not take this process as its commander.
         """
         self._link = link = ControlLink(folder, model, connection)
-        self._record, self._trust = record, trust
+        self._record, self._trust, self._front = record, trust, front
         self._order: Order | None = None
         self._conversation = Conversation()
         self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
         self._tree: TaskTree | None = None
+        self._last_tree: Sequence[Mapping[str, Any]] | None = None
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
@@ -169,8 +175,12 @@ class LiveExecutive:
             "state": state,
             "paused": paused,
             "question": question and question_json(question),
-            "tree": self._tree and tree_json(self._tree.snapshot(self._link.now_s).root),
+            "tree": self._tree_json(),
+            "last_tree": None if self._tree else self._last_tree,
         }
+
+    def _tree_json(self) -> Sequence[Mapping[str, Any]] | None:
+        return None if self._tree is None else tree_json(self._tree.snapshot(self._link.now_s).root)
 
     def scene(self) -> Sequence[Mapping[str, Any]]:
         """What the robot believes to be around it, as JSON values."""
@@ -207,6 +217,7 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
+            self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
@@ -219,8 +230,23 @@ class LiveExecutive:
         session = self._session
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
 
+        def waiting() -> bool:
+            session.hold(_IDLE_S)
+            self._desk.poll()
+            return session.interrupted
+
+        talk = None
+        if self._front is not None:
+            talk = FrontTalk(self._front, attendant.answer, self._note, waiting)
+            talk.meet(session)
+
         def settle(understood: Statement) -> Statement | Failure:
             self._steps.busy = True
+            if talk is not None and talk.takes(understood):
+                proposed = talk.settled(understood)
+                if isinstance(proposed, Failure) or proposed.parsed.question is not None:
+                    return proposed
+                understood = proposed
             one = settled(understood, attendant, "ask", self._note, self._now_s, session.interruption)
             if isinstance(said, Script):  # a long one must not keep the heartbeat waiting
                 session.hold(_IDLE_S)
@@ -232,7 +258,8 @@ class LiveExecutive:
             statements, instead = settle_all(
                 arriving, settle, self._note, self._now_s, lambda: request.taken(self._now_s(), self._note)
             )
-            return instead or run_statements(statements, session, attendant, "ask", self._note)
+            again = None if talk is None else talk.again
+            return instead or run_statements(statements, session, attendant, "ask", self._note, again)
 
     def _now_s(self) -> float:
         return self._link.now_s

@@ -2,6 +2,7 @@
 
 import pytest
 
+from executive.doors import served_robot
 from executive.doors.served_robot import ServedRobot
 
 TASK = "wave"
@@ -41,6 +42,36 @@ def test_a_question_is_told_with_its_choices_and_its_answer_goes_on(served, robo
     assert asked(run).question == {"text": "which cup?", "choices": ["red", "blue"]}
     assert robot.answer("red")
     assert ended(run).outcome == "done"
+
+
+@pytest.mark.requirement("L6")
+def test_a_question_that_comes_before_its_answer_was_taken_note_of_stays_open(served, robot, monkeypatch):
+    served.asks = True
+    run = robot.begin(TASK)
+    asked(run)
+    again = {
+        "type": "question",
+        "text": "which cup?",
+        "choices": ["red"],
+        "tried": "'x' is none of the choices",
+    }
+
+    def ask_at(_path, _message):
+        run._take(again)
+        return {"asked": True}
+
+    monkeypatch.setattr(served_robot, "ask_at", ask_at)
+    assert robot.answer("x")
+
+    assert run.status().question == {
+        "text": "which cup?", "choices": ["red"], "tried": "'x' is none of the choices"
+    }  # fmt: skip
+
+
+@pytest.mark.requirement("S7")
+def test_a_pause_and_a_resume_without_a_task_do_nothing(robot):
+    assert not robot.pause("a moment")
+    assert not robot.resume()
 
 
 @pytest.mark.requirement("S7")

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from executive.dialogue.clarification import OpenQuestion
-from executive.screens.screen import ScreenState, screen, text_of
+from executive.screens.rows import text_of
+from executive.screens.screen import ScreenState, screen
 from tools.pictures.draw_screens import ASKING, EXAMPLES, RUNNING, STOPPED
 
 SNAPSHOTS = Path(__file__).parent / "screens"

@@ -1,0 +1,1 @@
+"""A conversation with a served robot in one terminal: commands, questions, stops, and what became of them."""
