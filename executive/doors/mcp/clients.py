@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from mcp.server.mcpserver import Context
 from mcp_types.version import MODERN_PROTOCOL_VERSIONS
-from starlette.requests import Request
 
 _SESSION = "mcp-session-id"
 
@@ -38,7 +37,7 @@ async def is_there(ctx: Context) -> bool:
     By the older versions of the protocol a call over HTTP outlives its connection, so that it is asked here.
     Over stdio, and by the newer versions, a call is cancelled when its connection ends.
     """
-    request = ctx.request_context.request
-    if ctx.protocol_version in MODERN_PROTOCOL_VERSIONS or not isinstance(request, Request):
+    request = ctx.request_context.request  # of the HTTP server; None over stdio
+    if request is None or ctx.protocol_version in MODERN_PROTOCOL_VERSIONS:
         return True
     return not await request.is_disconnected()
