@@ -21,11 +21,11 @@ HEAVY = {
     "ompl": ("kinematics", "tools"),
     "typer": ("executive",),
     "rich": ("executive", "tools"),
-    "cyclonedds": ("executive.doors.ros",),
+    "cyclonedds": ("executive.doors.ros", "tools"),
     "mcp": ("executive.doors.mcp", "tools.evaluate.mcp"),
     "uvicorn": ("executive.doors.mcp",),
     "openai": ("executive.doors.model",),
-    "rclpy": ("executive.doors.ros.node",),
+    "rclpy": ("executive.doors.ros.node", "tools.evaluate.ros.client"),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
 TRUTH = ("robots.simulated.truth", "robots.perception.truth_view")
@@ -34,7 +34,7 @@ TRUTH_USERS = (
     "executive.session.assembly", "tools",
 )  # fmt: skip
 # Scripts that run in other environments than the product's: nobody imports them.
-ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node")
+ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node", "tools.evaluate.ros.client")
 # Who makes a secret that nobody may guess: the one thing for which randomness is not injected.
 SECRETS = ("executive.doors.mcp.serving",)
 # The one place that opens sockets, and no others than those of this machine.

@@ -73,7 +73,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.pick import pick
     from tools.benchmark.planning import planning
     from tools.benchmark.report import Report
-    from tools.benchmark.ros import ros
+    from tools.benchmark.ros.joint_states import ros
     from tools.benchmark.startup import startup
     from tools.benchmark.tick import tick
     from tools.benchmark.timing import timing

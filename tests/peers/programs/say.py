@@ -24,9 +24,9 @@ def has(*words):
     return any(word in line for line in heard.lines for word in words)
 
 
-assert heard.spin(
-    60.0, lambda: commands.get_subscription_count() and stops.get_subscription_count() > 1
-), "the robot does not listen"
+assert heard.spin(60.0, lambda: commands.get_subscription_count() and stops.get_subscription_count() > 1), (
+    "the robot does not listen"
+)
 heard.begin()
 commands.publish(String(data=sys.argv[1]))
 if extra == "stop":

@@ -30,7 +30,7 @@ from tools.benchmark.peers.environments import ROS_NAMES, PeerEnvironment, defau
 from tools.evaluate.ros.bridged_robot import BridgedRobot
 
 _NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
-_CLIENT = Path(__file__).parent / "action_client.py"
+_CLIENT = Path(__file__).parent / "client" / "action_client.py"
 _SHORT = (
     ("wait for 0.5 seconds", 0),
     ("move forward at 0.1 m/s for 1 second", 0),

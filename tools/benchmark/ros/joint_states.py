@@ -29,7 +29,7 @@ _P99 = 99.0
 def ros(quick: bool) -> list[Figure]:
     """Blocks of a few seconds: both writers at once, one reader; then control with and without the bridge."""
     joints = len(load_description(_ROBOT).actuated)
-    command = [sys.executable, "-m", "tools.benchmark.ros_writer"]
+    command = [sys.executable, "-m", "tools.benchmark.ros.bare_writer"]
     with (
         tempfile.TemporaryDirectory(prefix="ros-") as folder,
         BridgedRobot(Path(folder), 0, _ROBOT, 1.0) as robot,

@@ -1,0 +1,1 @@
+"""The ROS door beside a bare pair of DDS."""
