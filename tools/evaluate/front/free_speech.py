@@ -94,7 +94,7 @@ _WISHES: Mapping[str, tuple[str, Sequence[str]]] = MappingProxyType(
             ),
         ),
         "say": (
-            "say {words}",
+            'say "{words}"',
             (
                 "spread the news aloud will you: {words}",
                 "everyone ought to be aware that {words}, use your voice",
