@@ -53,7 +53,7 @@ def test_after_a_failure_it_proposes_anew(run):
         result, report = run(server, text, typed="yes\nyes\n")
 
     assert result.exit_code == 0, result.output
-    assert [task["outcome"] for task in report["tasks"]] == ["failed", "done"]
+    assert [task["outcome"] for task in report["tasks"]][-2:] == ["failed", "done"]
     failures = json.loads(server.requests[1]["messages"][1]["content"])["failures"]
     assert failures[0]["failure"]["kind"] == "POSTCONDITION"
 
