@@ -150,7 +150,7 @@ def test_without_a_read_back_another_action_than_the_verbs_mean_is_asked(front, 
         (
             '{"command": "go home", "confidence": 1, "question": "Sure?"}',
             ModelFailureKind.MALFORMED,
-            "both|as well",
+            "as well",
         ),
     ],
 )
