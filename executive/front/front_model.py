@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from typing import Protocol
+from typing import Any, Protocol
 
 from executive.front.grounding import ungrounded
 from executive.front.model_settings import ModelSettings
@@ -63,6 +63,18 @@ class FrontModel:
     ) -> None:
         self.settings, self.reads_back = settings, reads_back
         self._asker, self._trust = asker, trust
+
+    def header(self) -> dict[str, Any]:
+        """What the record of a run tells of it, as JSON values."""
+        settings = self.settings
+        return {
+            "name": settings.name,
+            "url": settings.url,
+            "model": settings.model,
+            "when": settings.when,
+            "attempts": settings.attempts,
+            "reads_back": self.reads_back,
+        }
 
     def close(self) -> None:
         """Let go of what is needed to ask; it may be asked again all the same."""

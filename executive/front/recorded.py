@@ -23,24 +23,11 @@ def written_answer(answer: str | ModelFailure) -> str:
     return json.dumps({"answer": answer})
 
 
-def front_header(front: FrontModel) -> dict[str, Any]:
-    """What the record of a run tells of the model in front."""
-    settings = front.settings
-    return {
-        "name": settings.name,
-        "url": settings.url,
-        "model": settings.model,
-        "when": settings.when,
-        "attempts": settings.attempts,
-        "reads_back": front.reads_back,
-    }
-
-
 def recorded_front(header: Mapping[str, Any], inputs: Iterable[InputTaken], trust: Trust) -> FrontModel:
     """The model of a recorded run, which gives the recorded answers.
 
     Args:
-        header: What ``front_header`` has made.
+        header: What ``FrontModel.header`` has made.
         inputs: All inputs of the run.
         trust: How far its confidences were trusted.
 

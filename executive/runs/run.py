@@ -15,8 +15,6 @@ from executive.dialogue.settle_words import settled
 from executive.ending_signals import EndedBySignal, taken_by, told
 from executive.errors import NotWritableError
 from executive.exit_codes import ExitCode
-from executive.front.front_talk import FrontTalk
-from executive.front.recorded import front_header
 from executive.reports.report import Report
 from executive.robot_settings import RobotSettings, robot_settings
 from executive.runs.junit import write_junit
@@ -42,6 +40,7 @@ from trees.failures import Failure
 from trees.self_knowledge import USUAL_START, Calendar
 
 if TYPE_CHECKING:
+    from executive.front.front_talk import FrontTalk
     from executive.runs.pictures import Pictures
     from executive.screens.display import Display
 
@@ -141,7 +140,7 @@ def _header(request: RunRequest) -> dict[str, Any]:
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
         **({} if request.settings is None else {"says_of_itself": request.settings.to_json()}),
-        **({} if request.front is None else {"model": front_header(request.front)}),
+        **({} if request.front is None else {"model": request.front.header()}),
         **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
     }
 
@@ -259,6 +258,8 @@ def _talk(
     """The talk with the model in front, where there is one."""
     if request.front is None:
         return None
+    from executive.front.front_talk import FrontTalk
+
     wall = WallClock()
 
     def waiting() -> bool:

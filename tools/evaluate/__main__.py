@@ -28,6 +28,7 @@ from tools.evaluate.digests import run_digests
 from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
+from tools.evaluate.front.suite import FRONT_SUITES, run_front_suite
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.live.connection import run_connection
@@ -61,6 +62,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "doors of the robot": ("mcp", "mcp-fuzz"),
         "untrusted text": ("hostile",),
         "the ROS door": ROS_SUITES,
+        "a language model in front": FRONT_SUITES,
         "changes that should change nothing": ("digests",),
         "hours on end": ("soak",),
         "doors and drawers": OPENING_SUITES,
@@ -113,6 +115,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_hostile(options.episodes, options.seed, options.json, messages)
     if options.suite in ROS_SUITES:
         return run_ros_suite(options, messages)
+    if options.suite in FRONT_SUITES:
+        return run_front_suite(
+            options.suite,
+            options.episodes,
+            options.seed,
+            options.every,
+            options.robot,
+            options.json,
+            messages,
+        )
     if options.suite == "digests":
         return run_digests(options.check, options.record, options.jobs, options.every, messages)
     if options.suite == "soak":
@@ -211,7 +223,10 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--record", type=Path, metavar="FILE", help="of suite digests: keep the runs here")
     parser.add_argument("--check", type=Path, metavar="FILE", help="of suite digests: compare with these")
     parser.add_argument(
-        "--every", type=_positive, default=1, help="of suite digests: every so manyth run alone"
+        "--every",
+        type=_positive,
+        default=1,
+        help="of suite digests: every so manyth run alone; of front and free-speech: simulate these alone",
     )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument(

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from tools.benchmark.peers.environments import (
     CACHE_VARIABLE,
+    MODEL_NAMES,
     NAMES,
     ROS_NAMES,
     PeerEnvironment,
@@ -25,9 +26,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "names",
         nargs="*",
-        choices=[*NAMES, *ROS_NAMES, []],
+        choices=[*NAMES, *ROS_NAMES, *MODEL_NAMES, []],
         metavar="NAME",
-        help=", ".join((*NAMES, *ROS_NAMES)),
+        help=", ".join((*NAMES, *ROS_NAMES, *MODEL_NAMES)),
     )
     parser.add_argument(
         "--cache", type=Path, default=default_cache(), help=f"folder (or the variable {CACHE_VARIABLE})"

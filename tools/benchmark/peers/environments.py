@@ -21,6 +21,8 @@ _LOCKS = Path(__file__).parent
 NAMES = ("roboplan", "ompl", "pyroboplan", "pink", "mink", "toppra")
 ROS_NAMES = ("ros_jazzy", "ros_kilted")
 """Peers of the ROS door, for tests alone: rclpy of two distributions."""
+MODEL_NAMES = ("smollm2",)
+"""A small language model that travels in a package, with what serves it; for tests alone."""
 
 
 def default_cache() -> Path:
@@ -37,7 +39,7 @@ class PeerEnvironment:
     """One peer's environment.
 
     Attributes:
-        name: One of ``NAMES`` or ``ROS_NAMES``.
+        name: One of ``NAMES``, ``ROS_NAMES`` or ``MODEL_NAMES``.
         cache: Folder that holds all environments.
     """
 
