@@ -1,9 +1,9 @@
 """Where in a hand the weight hangs, felt in the efforts of its arm and the trunk at rest.
 
-A weight beside the middle of the hand turns the wrist: efforts that hold a mass ``m`` at a place ``c`` of the
-hand are ``m (b + B c)``, with ``b`` for the mass in the middle, and ``B`` for what each metre beside it adds.
-Along gravity nothing is felt. Mass and place are found together by the iterated extended Kalman update (Bell and
-Cathey, 1993), which for one measurement is Gauss-Newton's least squares with a prior.
+A weight beside the middle of the hand turns the wrist: efforts that hold a mass ``m`` at a place ``c`` of
+the hand are ``m (b + B c)``, with ``b`` for the mass in the middle, and ``B`` for what each metre beside it
+adds. Along gravity nothing is felt. Mass and place are found together by the iterated extended Kalman update
+(Bell and Cathey, 1993), which for one measurement is Gauss-Newton's least squares with a prior.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.estimation.held_mass import HeldMass
 
-ARM_ERROR_NM, TORSO_ERROR_NM = 0.06, 0.2
-"""What the mean effort of a held posture is wrong by: the model of the masses, and a body that sways. Noise is
-averaged away by then."""
+ARM_ERROR_NM, TORSO_ERROR_NM = 0.03, 0.08
+"""What the mean effort of a held posture is wrong by: the model of the masses, and a body that sways. Noise
+is averaged away by then."""
 _MASS_KG = 10.0
 """What may be held, before anything was felt."""
 _ROUNDS = 6
@@ -73,4 +73,5 @@ class HeldCentre:
             off = self._felt - mass * (self._middle + self._beside @ place)
             information = (jacobian.T * weight) @ jacobian + prior
             x = x + np.linalg.solve(information, (jacobian.T * weight) @ off + prior @ (start - x))
-        return x[1:], np.linalg.inv(information)[1:, 1:]
+        covariance = np.linalg.inv(information)[1:, 1:]
+        return np.asarray(x[1:], np.float64), np.asarray(covariance, np.float64)

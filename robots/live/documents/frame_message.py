@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.messages import write_message
@@ -73,8 +74,11 @@ def _error(values: Any) -> PositionError | None:
     if values is None:
         return None
     lasting, noise, size_share = values
-    square = (np.array(one, dtype=np.float64).reshape(3, 3) for one in (lasting, noise))
-    return PositionError(*square, float(size_share))
+    return PositionError(_square(lasting), _square(noise), float(size_share))
+
+
+def _square(numbers: Any) -> Array:
+    return np.array(numbers, dtype=np.float64).reshape(3, 3)
 
 
 def _shape_json(shape: Shape) -> list[Any]:

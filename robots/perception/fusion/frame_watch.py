@@ -70,8 +70,6 @@ def _is_copy(before: PerceptionFrame, frame: PerceptionFrame) -> bool:
     if not frame.detections or len(before.detections) != len(frame.detections):
         return False
     return all(
-        one.error is not None
-        and one.error.is_noisy
-        and (one.camera_T_object == other.camera_T_object).all()
+        one.error is not None and one.error.is_noisy and (one.camera_T_object == other.camera_T_object).all()
         for one, other in zip(frame.detections, before.detections, strict=True)
     )

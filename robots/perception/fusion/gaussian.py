@@ -1,9 +1,9 @@
 """Normal estimates that take measurements in, and tell how far off a measurement is.
 
 The update is Kalman's (R. E. Kalman, 1960) in the form of Joseph, which keeps the covariance symmetric and
-positive whatever is rounded. A measurement is compared with the estimate by the distance of Mahalanobis of its
-innovation, which for normal errors has the chi-squared distribution with as many degrees of freedom as the
-measurement has numbers (Bar-Shalom, Li and Kirubarajan, *Estimation with Applications to Tracking and
+positive whatever is rounded. A measurement is compared with the estimate by the distance of Mahalanobis of
+its innovation, which for normal errors has the chi-squared distribution with as many degrees of freedom as
+the measurement has numbers (Bar-Shalom, Li and Kirubarajan, *Estimation with Applications to Tracking and
 Navigation*, 2001, section 5.4).
 """
 
@@ -16,9 +16,9 @@ import numpy as np
 
 from kinematics.arrays import Array, Sealed
 
-FALSE_ALARM = 0.002
-"""Chance that senses which agree are taken to disagree, for each comparison. A pick makes about five."""
-_QUANTILES = {1: 9.55, 2: 12.43, 3: 14.80, 4: 16.92}
+FALSE_ALARM = 0.004
+"""Chance that senses which agree are taken to disagree, for each comparison. A pick makes about three."""
+_QUANTILES = {1: 8.284, 2: 11.043, 3: 13.316, 4: 15.366}
 """Of the chi-squared distribution at 1 - FALSE_ALARM, by the degrees of freedom."""
 
 

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Ball
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.fusion.frame_watch import Fault, FrameWatch
 from robots.perception.position_error import alike_in_all_directions
-from kinematics.geometry import poses
-from kinematics.geometry.shapes import Ball
 
 TICK_S = 0.02
 

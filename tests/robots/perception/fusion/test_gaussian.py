@@ -31,7 +31,11 @@ def test_a_sense_that_feels_one_direction_leaves_the_others_alone():
 
 @given(st.lists(st.floats(-5.0, 5.0), min_size=3, max_size=3), st.floats(0.1, 3.0))
 def test_the_order_of_two_measurements_does_not_matter(values, sigma):
-    start, one, other = Gaussian(np.zeros(3), np.eye(3)), measured(values, sigma), measured([1.0], 0.5, [[1, 1, 0]])
+    start, one, other = (
+        Gaussian(np.zeros(3), np.eye(3)),
+        measured(values, sigma),
+        measured([1.0], 0.5, [[1, 1, 0]]),
+    )
     first, last = start.updated(one).updated(other), start.updated(other).updated(one)
 
     np.testing.assert_allclose(first.mean, last.mean, atol=1e-9)

@@ -3,7 +3,7 @@ import pytest
 
 from kinematics.requests.grasp import Grasp
 from robots.interface.gripper_reading import GripperReading
-from trees.failures import FailureKind
+from trees.failures import FailureKind, Reason
 from trees.skills.pick.verify_hold import grip_failure
 
 GRASP = Grasp("left", "side", np.eye(4), 0.1, diameter_m=0.06)
@@ -23,6 +23,7 @@ def test_an_opening_without_effort_is_no_grip():
 
     assert failure.kind is FailureKind.POSTCONDITION
     assert failure.message == "nothing between the fingers"
+    assert failure.reason is Reason.CLOSED_ON_NOTHING
 
 
 @pytest.mark.requirement("M2")
