@@ -82,6 +82,7 @@ class Reason(Enum):
     FELT_IN_THE_WAY = "the arm met something where nothing is known to be"
     SEEN_TO_FLOAT = "what stands on a top is seen above it, or sunk in it"
     CAMERAS_DIFFER = "two cameras show one thing at different places"
+    CAMERA_BLIND = "one camera shows nothing while another one shows things"
     MOVED_SINCE_LOOK = "the thing is seen elsewhere than the look before has shown it"
     GONE_SINCE_LOOK = "the thing is not seen any more where the look before has shown it"
     FRAMES_FROZEN = "the camera delivers the same picture again and again"
@@ -96,6 +97,7 @@ DISAGREEMENTS = frozenset(
         Reason.FELT_IN_THE_WAY,
         Reason.SEEN_TO_FLOAT,
         Reason.CAMERAS_DIFFER,
+        Reason.CAMERA_BLIND,
         Reason.MOVED_SINCE_LOOK,
         Reason.GONE_SINCE_LOOK,
         Reason.FRAMES_FROZEN,
