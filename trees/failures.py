@@ -75,6 +75,36 @@ class Reason(Enum):
     TAKEN_BY_ANOTHER = "what was let go was seen with somebody for whom it was not meant"
     SEEN_NOT_AS_ASKED = "it was seen not to be as the task asks, not only felt"
 
+    # senses that do not agree
+    CLOSED_ON_NOTHING = "the fingers closed on nothing where the camera shows the thing"
+    FELT_OTHER_SIZE = "the fingers feel another size than the camera shows"
+    FELT_ELSEWHERE = "the hand feels the thing elsewhere than the camera shows it"
+    FELT_IN_THE_WAY = "the arm met something where nothing is known to be"
+    SEEN_TO_FLOAT = "what stands on a top is seen above it, or sunk in it"
+    CAMERAS_DIFFER = "two cameras show one thing at different places"
+    CAMERA_BLIND = "one camera shows nothing while another one shows things"
+    MOVED_SINCE_LOOK = "the thing is seen elsewhere than the look before has shown it"
+    GONE_SINCE_LOOK = "the thing is not seen any more where the look before has shown it"
+    FRAMES_FROZEN = "the camera delivers the same picture again and again"
+    FRAMES_STALE = "the camera delivers pictures that are too old"
+
+
+DISAGREEMENTS = frozenset(
+    {
+        Reason.CLOSED_ON_NOTHING,
+        Reason.FELT_OTHER_SIZE,
+        Reason.FELT_ELSEWHERE,
+        Reason.FELT_IN_THE_WAY,
+        Reason.SEEN_TO_FLOAT,
+        Reason.CAMERAS_DIFFER,
+        Reason.CAMERA_BLIND,
+        Reason.MOVED_SINCE_LOOK,
+        Reason.GONE_SINCE_LOOK,
+        Reason.FRAMES_FROZEN,
+        Reason.FRAMES_STALE,
+    }
+)
+"""Reasons that say that one sense, or one time, contradicts another."""
 
 _UNSEEN = frozenset({Reason.NOT_SEEN, Reason.LOST_FROM_VIEW, Reason.SEEN_FROM_AFAR})
 

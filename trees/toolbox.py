@@ -24,6 +24,7 @@ from robots.control.motion_handle import MotionHandle
 from robots.interface.gripper_reading import GripperReading
 from robots.interface.sensed_state import SensedState
 from robots.perception.detector import Detector, RangeSensor
+from robots.perception.fusion.cameras import PlacedCamera
 from robots.scenes.scene_description import Region
 from trees.events import TreeSink
 from trees.policy import TreePolicy
@@ -233,6 +234,7 @@ class Toolbox:
     velocities: VelocityFeed | None = None
     identity: Identity = field(default_factory=Identity)
     calendar: Calendar = field(default_factory=Calendar)
+    cameras: tuple[PlacedCamera, ...] = ()
 
     @property
     def can_walk(self) -> bool:

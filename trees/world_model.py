@@ -70,6 +70,8 @@ class WorldModel:
         put_down: The objects that a hand of this robot has let go of, by name, until a hand takes them up
             again. Each is where a later look has shown it, or else where the hand let go of it.
         taken_from: Where each object stood, by name, that a hand holds or that this task has put down.
+        felt_widths: What fingers have felt of a thing's width, m, by its name, where that is another one
+            than the camera tells; the newest counts.
         at_handle: The hand that is at the handle of a door or drawer; None once it has drawn back. A
             cancelled task leaves the hand there, and the next task has to let go first.
     """
@@ -83,6 +85,7 @@ class WorldModel:
         self.sent_to: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, FormerPlace] = {}
+        self.felt_widths: Mapping[str, float] = {}
         self.at_handle: HandAtHandle | None = None
         self.people: Mapping[str, PersonLooks] = {}
         self._reasons: set[str] = set()
@@ -95,6 +98,7 @@ class WorldModel:
     def begin_task(self) -> None:
         """What was seen in another task is believed, and no more; what that put down is where it goes."""
         self.sightings = {}
+        self.felt_widths = {}
         self.people = {}
         self._reasons.clear()
         held = self._scene.attached
@@ -139,6 +143,10 @@ class WorldModel:
     def note_put_down(self, name: str) -> None:
         """Remember that a hand let go of something; the scene has it already."""
         self.put_down = {**self.put_down, name: self._scene.objects[name]}
+
+    def note_felt_width(self, name: str, width_m: float) -> None:
+        """Remember how wide fingers have felt a thing to be; the camera's word counts less from now on."""
+        self.felt_widths = {**self.felt_widths, name: width_m}
 
     def note_taken(self, name: str, origin: FormerPlace) -> None:
         """Remember where a thing stood before a task took it, though that puts it down and takes it again."""

@@ -19,6 +19,9 @@ class HeldMass:
     At rest the efforts beyond those that hold the robot itself are those that hold a point mass where the
     object's centre is, so that one number is estimated, by weighted least squares. The noise of one
     reading is worth some hundred grams: many have to be taken in.
+
+    Attributes:
+        trunk_joints: How many of the joints are the trunk's; they come after the arm's.
     """
 
     def __init__(self, model: RobotModel, hand: Hand) -> None:
@@ -34,6 +37,7 @@ class HeldMass:
         arm, torso = description.groups[f"{hand}_arm"], description.groups["torso"]
         self._joints = model.indices([*arm, *torso])
         self._weight = np.array([ARM_ERROR_NM**-2] * len(arm) + [TORSO_ERROR_NM**-2] * len(torso))
+        self.trunk_joints = len(torso)
         self._viscous = description.joint_viscosity_nms_rad
         self._payload_kg = description.grippers[hand].payload_kg
         self._sum, self._square = 0.0, 0.0

@@ -25,6 +25,7 @@ class MotionHandle:
         status: Where it stands.
         progress: Share of its duration that has passed, 0 to 1.
         reason: Why it was refused or cancelled, with names and numbers; empty otherwise.
+        met_something: Whether it was refused because the body pushed against something.
     """
 
     name: str
@@ -32,6 +33,7 @@ class MotionHandle:
     status: MotionStatus = MotionStatus.RUNNING
     progress: float = 0.0
     reason: str = ""
+    met_something: bool = False
 
     @property
     def finished(self) -> bool:

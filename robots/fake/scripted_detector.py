@@ -11,6 +11,7 @@ from kinematics.model.robot_description import CameraDescription
 from robots.clock import Clock
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.position_error import PositionError
 from robots.perception.truth_view import TrueObject
 
 
@@ -40,6 +41,7 @@ class ScriptedDetector:
         blind: While true, frames come but show nothing.
         frozen: While true, no new frames come.
         offset_m: Names of things that are seen at a wrong place, and by how much, along the world's axes.
+        error: That it declares of all it tells; None: none.
         labels: The words that it can tell; None: any.
     """
 
@@ -52,6 +54,7 @@ class ScriptedDetector:
         self.blind = False
         self.frozen = False
         self.offset_m: dict[str, tuple[float, float, float]] = {}
+        self.error: PositionError | None = None
         self._world, self._camera, self._clock = world, camera, clock
         self._period_s = 1.0 / rate_hz
         self._picture: _Picture | None = None
@@ -109,6 +112,7 @@ class ScriptedDetector:
                     item.names,
                     item.categories,
                     item.traits,
+                    self.error,
                 )
             )
         return seen

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
+from robots.perception.position_error import PositionError
 
 Category = Literal["object", "furniture", "person"]
 
@@ -32,6 +33,7 @@ class Detection(Sealed):
         names: What an object is called besides, the usual name first: "tomato soup".
         categories: What sorts of things an object belongs to: "food".
         traits: What is seen of a person, as far as it can be told: "sitting", "waving", "red shirt".
+        error: Of place and size, in the camera's frame; None when the detector declares none.
     """
 
     category: Category
@@ -44,6 +46,7 @@ class Detection(Sealed):
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
+    error: PositionError | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
+from robots.perception.position_error import PositionError
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
 _OBJECT_GATE_M = 0.03
@@ -46,6 +47,7 @@ class ObjectEstimate(Sealed):
         name: Of a person who was recognised, or of furniture that has one of its own; None else.
         names, categories: Of an object, as in ``Detection``.
         traits: Of a person: those that at least half of the frames tell.
+        error: Of place and size, in the odometry frame; None when the detector declares none.
     """
 
     category: Category
@@ -60,6 +62,7 @@ class ObjectEstimate(Sealed):
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
+    error: PositionError | None = None
 
     @property
     def label(self) -> Label:
@@ -88,6 +91,7 @@ class _Cluster:
     positions: list[list[float]] = field(default_factory=list)
     rotations: list[Array] = field(default_factory=list)
     detections: list[Detection] = field(default_factory=list)
+    camera: Transform = field(default_factory=lambda: np.eye(4))
 
     def add(self, detection: Detection, odom_T_object: Transform) -> None:
         self.detections.append(detection)
@@ -155,11 +159,12 @@ def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cl
     for _, i, k in sorted(pairs):
         if i not in used_detections and k not in used_clusters:
             clusters[k].add(*placed[i])
+            clusters[k].camera = odom_T_camera
             used_detections.add(i)
             used_clusters.add(k)
     for i, (detection, odom_T_object) in enumerate(placed):
         if i not in used_detections:
-            cluster = _Cluster(detection)
+            cluster = _Cluster(detection, camera=odom_T_camera)
             cluster.add(detection, odom_T_object)
             clusters.append(cluster)
 
@@ -190,7 +195,20 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         names=cluster.first.names,
         categories=cluster.first.categories,
         traits=_traits(inliers),
+        error=_error(cluster, inliers),
     )
+
+
+def _error(cluster: _Cluster, inliers: Sequence[Detection]) -> PositionError | None:
+    """Of the mean of some detections, as the worst of them is; the camera hardly turns during a look."""
+    told = [detection.error for detection in inliers if detection.error is not None]
+    if len(told) < len(inliers) or not told:
+        return None
+    worst = told[0]
+    for error in told[1:]:
+        if error is not worst and np.trace(error.covariance_m2) > np.trace(worst.covariance_m2):
+            worst = error
+    return worst.averaged(len(told)).turned(cluster.camera[:3, :3])
 
 
 def _traits(seen: Sequence[Detection]) -> tuple[str, ...]:

@@ -7,12 +7,13 @@ falls with the square root of their number), and objects then stand where they a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from kinematics.geometry.shapes import Ball, Box
+from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
 from robots.perception.object_estimate import ObjectEstimate
 
 # Four standard deviations of the difference of two heights, each wrong by 5 mm.
@@ -31,6 +32,58 @@ def standing_on_tops(estimates: Sequence[ObjectEstimate], gap_m: float = GAP_M) 
     """
     moved = list(estimates)
     tops = {i: _top_m(item) for i, item in enumerate(estimates) if _is_top(item)}
+    for i, feet in _standing(estimates, tops, gap_m).items():
+        agreed = float(np.mean([tops[i], *feet.values()]))
+        moved[i] = _raised(estimates[i], agreed - tops[i])
+        for j, foot in feet.items():
+            moved[j] = _raised(estimates[j], agreed - foot)
+    return moved
+
+
+def seen_to_float(estimates: Sequence[ObjectEstimate], gap_m: float = GAP_M) -> list[tuple[int, Innovation]]:
+    """Compare each top's height with the feet of what stands on it.
+
+    Args:
+        estimates: In the odometry frame, z up.
+        gap_m: As of ``standing_on_tops``.
+
+    Returns:
+        The index of each top on which something stands, with by how much the feet are above it. Estimates
+        that declare no error are left out.
+    """
+    tops = {i: _top_m(item) for i, item in enumerate(estimates) if _is_top(item) and item.error is not None}
+    found = []
+    for i, feet in _standing(estimates, tops, gap_m).items():
+        told = [(foot, _height_variance(estimates[j])) for j, foot in feet.items()]
+        told = [(foot, variance) for foot, variance in told if variance > 0.0]
+        if not told:
+            continue
+        feet_at = Gaussian(np.array([told[0][0]]), np.array([[told[0][1]]]))
+        for foot, variance in told[1:]:
+            feet_at = feet_at.updated(_height("camera", foot, variance))
+        top = _height("camera", tops[i], _height_variance(estimates[i]))
+        innovation = feet_at.innovation(top)
+        found.append((i, replace(innovation, difference=-innovation.difference)))
+    return found
+
+
+def _height(source: str, at_m: float, variance_m2: float) -> Measurement:
+    return Measurement(source, 0.0, np.array([at_m]), np.array([[variance_m2]]), np.eye(1))
+
+
+def _height_variance(item: ObjectEstimate) -> float:
+    """Of an estimate's upper or lower end; 0 when it declares no error."""
+    if item.error is None:
+        return 0.0
+    shape = item.shape
+    half_m = shape.radius_m if isinstance(shape, Ball) else 0.5 * shape.height_m
+    return float(item.error.covariance_m2[2, 2]) + (item.error.size_share * half_m) ** 2
+
+
+def _standing(
+    estimates: Sequence[ObjectEstimate], tops: Mapping[int, float], gap_m: float
+) -> dict[int, dict[int, float]]:
+    """By the index of each top, the feet on it by the index of what stands there."""
     on: dict[int, dict[int, float]] = {i: {} for i in tops}
     for j, item in enumerate(estimates):
         foot = _foot_m(item)
@@ -39,12 +92,7 @@ def standing_on_tops(estimates: Sequence[ObjectEstimate], gap_m: float = GAP_M) 
         near = [i for i, top in tops.items() if abs(foot - top) <= gap_m and _over(estimates[i], item)]
         if near:  # a board lies over the cupboard below it, whose top is as near
             on[max(near, key=tops.__getitem__)][j] = foot
-    for i, feet in on.items():
-        agreed = float(np.mean([tops[i], *feet.values()]))
-        moved[i] = _raised(estimates[i], agreed - tops[i])
-        for j, foot in feet.items():
-            moved[j] = _raised(estimates[j], agreed - foot)
-    return moved
+    return on
 
 
 def _is_top(item: ObjectEstimate) -> bool:

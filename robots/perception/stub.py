@@ -31,6 +31,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.robot_description import CameraDescription
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.position_error import alike_in_all_directions
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
 from robots.perception.truth_view import TrueObject, TruthView
@@ -115,7 +116,7 @@ class PerceptionStub:
         now_s = self._clock.now_s() + _TIME_TOLERANCE_S
         if now_s >= self._due_s:
             if now_s - self._asked_s <= _IDLE_S:
-                self._pending.append(self._look(self._clock.now_s()))
+                self._pending.append(self._picture(self._clock.now_s()))
             self._pictures += 1
             self._due_s = self._start_s + self._pictures / self._model.rate_hz
         while self._pending and now_s >= self._pending[0].stamp_s + self._model.latency_s:
@@ -126,6 +127,13 @@ class PerceptionStub:
     ) -> None:
         """Tell every object of a kind at a wrong place; see ``StubFaults.misplace``."""
         self.faults.misplace(kind, offset_m, first_look_only)
+
+    def _picture(self, stamp_s: float) -> PerceptionFrame:
+        """A new one; of a frozen camera what the last one showed."""
+        last = self._pending[-1] if self._pending else self._latest
+        if self.faults.frozen and last is not None:
+            return PerceptionFrame(stamp_s, self._pictures, last.detections)
+        return self._look(stamp_s)
 
     def _look(self, stamp_s: float) -> PerceptionFrame:
         world_T_camera = self._truth.world_T_camera()
@@ -186,22 +194,35 @@ class PerceptionStub:
             for solid, grown in zip(solids, worse, strict=True)
         ]
         world_T_object[:, :3, :3] @= _turns(model.orientation_noise_rad * noise[:, 3:6])
-        camera_T_object = poses.inverse(world_T_camera) @ world_T_object
+        camera_T_object = self.faults.turned(poses.inverse(world_T_camera) @ world_T_object)
         return [
             Detection(
                 category=solid.category,
                 kind=solid.kind,
                 color=self.faults.color_of(solid.category, solid.kind, solid.color),
                 camera_T_object=pose,
-                shape=_resized(solid.shape, self._episode(solid).scale),
+                shape=self._shape(solid),
                 confidence=self._confidence(pose, share, float(row[6])),
                 name=solid.told_name,
                 names=solid.names,
                 categories=solid.categories,
                 traits=self._traits(solid),
+                error=alike_in_all_directions(
+                    _declared(grown * model.bias_m), _declared(grown * model.noise_m), model.size_noise
+                ),
             )
-            for (solid, share), pose, row in zip(seen, camera_T_object, noise, strict=True)
+            for (solid, share), pose, row, grown in zip(
+                seen, camera_T_object, noise, worse.tolist(), strict=True
+            )
         ]
+
+    def _shape(self, solid: TrueObject) -> Shape:
+        """Its solid, with the errors of size."""
+        shape, wrong = (
+            _resized(solid.shape, self._episode(solid).scale),
+            self.faults.scale_of(solid.category, solid.kind),
+        )
+        return shape if wrong is None else _resized(shape, wrong)
 
     def _traits(self, solid: TrueObject) -> tuple[str, ...]:
         """What of a person can be told in this frame."""
@@ -256,6 +277,11 @@ def _called(truth: TruthView) -> Iterable[str]:
         yield from (solid.kind, *solid.names, *solid.categories)
         if solid.category == "furniture" and solid.told_name is not None:
             yield solid.told_name
+
+
+def _declared(error_m: float) -> float:
+    """An error to the tenth of a millimetre; nobody declares it better."""
+    return round(error_m, 4)
 
 
 def _piece(solid: TrueObject) -> str:

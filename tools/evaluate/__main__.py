@@ -29,6 +29,7 @@ from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.front.suite import FRONT_SUITES, run_front_suite
+from tools.evaluate.fusion.suite import FUSION_SUITE, run_fusion_suite
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.live.connection import run_connection
@@ -58,6 +59,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
         "the main job": ("pick", "question", "replay", HELD_MASS_SUITE),
         "stops and faults": ("stop", "cancel", "fault"),
+        "senses that disagree": (FUSION_SUITE,),
         "live mode": ("kill", "connection", "load", "fuzz"),
         "doors of the robot": ("mcp", "mcp-fuzz"),
         "untrusted text": ("hostile",),
@@ -109,6 +111,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_stop_suite(options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
+    if options.suite == FUSION_SUITE:
+        return run_fusion_suite(options, messages)
     if options.suite == HELD_MASS_SUITE:
         return run_held_mass(options, messages)
     if options.suite == "hostile":

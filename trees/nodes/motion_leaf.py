@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from robots.control.motion_handle import MotionHandle, MotionStatus
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 from trees.nodes.leaf import DONE, RUNNING, Leaf
 
 
@@ -56,7 +56,8 @@ class MotionLeaf(Leaf):
 def motion_failure(handle: MotionHandle) -> Failure | None:
     """Why a motion ended before its time, or None."""
     if handle.status is MotionStatus.REFUSED:
-        return Failure.refused(f"{handle.name} was refused: {handle.reason}", progress=handle.progress)
+        refused = Failure.refused(f"{handle.name} was refused: {handle.reason}", progress=handle.progress)
+        return refused.because(Reason.FELT_IN_THE_WAY) if handle.met_something else refused
     if handle.status is MotionStatus.CANCELED:
         return Failure(
             FailureKind.EXECUTION,

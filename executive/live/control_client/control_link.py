@@ -359,6 +359,7 @@ class ControlLink:
             self._felt.pop(message["motion"], None)
             if not handle.finished:
                 handle.reason = str(message["reason"])
+                handle.met_something = bool(message.get("met_something", False))
                 handle.status = status
 
     def _lose(self) -> None:

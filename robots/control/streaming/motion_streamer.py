@@ -291,9 +291,10 @@ class MotionStreamer:
             self._ledger.end(handle, status, reason)
 
     def interrupt(self, reason: str) -> None:
-        """End the running trajectory and bring every joint to rest; what comes next may start at once."""
+        """The body met something: end the running trajectory and rest; what comes next may start at once."""
         handle, self._body_handle = self._body_handle, None
         if handle is not None:
+            handle.met_something = True
             self._track.brake(along_path=False)
             self._ledger.end(handle, MotionStatus.REFUSED, reason)
 

@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.messages import write_message
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.position_error import PositionError
 
 
 def write_frame(frame: PerceptionFrame) -> bytes:
@@ -27,6 +29,7 @@ def write_frame(frame: PerceptionFrame) -> bytes:
             "names": item.names,
             "categories": item.categories,
             "traits": item.traits,
+            "error": _error_json(item.error),
         }
         for item in frame.detections
     ]
@@ -52,12 +55,30 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 names=tuple(map(str, item["names"])),
                 categories=tuple(map(str, item["categories"])),
                 traits=tuple(map(str, item["traits"])),
+                error=_error(item.get("error")),
             )
             for item in document["detections"]
         )
         return PerceptionFrame(float(document["stamp_s"]), int(document["sequence"]), seen)
     except (KeyError, TypeError, ValueError) as wrong:
         raise ProtocolError(f"a frame that is none: {wrong!r}") from None
+
+
+def _error_json(error: PositionError | None) -> list[Any] | None:
+    if error is None:
+        return None
+    return [error.lasting_m2.ravel().tolist(), error.noise_m2.ravel().tolist(), error.size_share]
+
+
+def _error(values: Any) -> PositionError | None:
+    if values is None:
+        return None
+    lasting, noise, size_share = values
+    return PositionError(_square(lasting), _square(noise), float(size_share))
+
+
+def _square(numbers: Any) -> Array:
+    return np.array(numbers, dtype=np.float64).reshape(3, 3)
 
 
 def _shape_json(shape: Shape) -> list[Any]:

@@ -146,13 +146,26 @@ class MotionDesk:
                 continue
             if begun.yielding is not None:
                 messages.append(_felt(number, begun.yielding))
-            messages.append(motion_message(number, handle.status, handle.progress, handle.reason))
+            messages.append(
+                motion_message(
+                    number, handle.status, handle.progress, handle.reason, met_something=handle.met_something
+                )
+            )
         return messages
 
 
-def motion_message(number: int, status: MotionStatus, progress: float, reason: str) -> bytes:
+def motion_message(
+    number: int, status: MotionStatus, progress: float, reason: str, *, met_something: bool = False
+) -> bytes:
     """The payload that tells where a motion stands."""
-    return write_message("motion", motion=number, status=status.value, progress=progress, reason=reason)
+    return write_message(
+        "motion",
+        motion=number,
+        status=status.value,
+        progress=progress,
+        reason=reason,
+        met_something=met_something,
+    )
 
 
 def _felt(number: int, motion: YieldingStarted) -> bytes:

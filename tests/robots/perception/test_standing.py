@@ -5,7 +5,8 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from robots.perception.object_estimate import ObjectEstimate
-from robots.perception.standing import standing_on_tops
+from robots.perception.position_error import alike_in_all_directions
+from robots.perception.standing import seen_to_float, standing_on_tops
 
 
 def top(height_m=0.9):
@@ -52,3 +53,36 @@ def test_what_stands_on_a_board_is_not_drawn_down_to_the_cupboard_under_it(foot_
 
     assert foot(seen[2]) == pytest.approx(0.5 * (0.905 + foot_m))
     assert seen[1 if board_first else 0].odom_T_object[2, 3] == pytest.approx(0.44)
+
+
+def told(*items, bias_m=0.002):
+    """Estimates whose detector declares its error."""
+    return [replace(item, error=alike_in_all_directions(bias_m, 0.0005, 0.01)) for item in items]
+
+
+@pytest.mark.requirement("P3")
+@pytest.mark.parametrize("off_m", [0.014, -0.014])
+def test_a_top_that_is_seen_too_low_or_high_for_what_stands_on_it_is_noticed(off_m):
+    ((index, innovation),) = seen_to_float(told(top(), cup(0.9 + off_m)))
+
+    assert index == 0
+    assert innovation.difference[0] == pytest.approx(off_m)
+    assert innovation.disagrees
+
+
+@pytest.mark.requirement("P3")
+def test_heights_that_differ_by_no_more_than_is_declared_fit():
+    ((_, innovation),) = seen_to_float(told(top(), cup(0.914), bias_m=0.005))
+
+    assert not innovation.disagrees
+
+
+def test_many_feet_tell_a_tops_height_better_than_one():
+    ((_, one),) = seen_to_float(told(top(), cup(0.91)))
+    ((_, many),) = seen_to_float(told(top(), *(cup(0.91, x=0.4 + 0.1 * k) for k in range(5))))
+
+    assert many.distance > one.distance
+
+
+def test_what_declares_no_error_is_not_compared():
+    assert seen_to_float([top(), cup(0.914)]) == []

@@ -339,3 +339,51 @@ def test_noise_grows_with_the_square_of_the_distance_beyond_four_metres(far_m, w
     frames = bench.frames(15.0)
 
     assert np.std(positions(bench, frames), axis=0) == pytest.approx(0.002 * worse, rel=0.15)
+
+
+@pytest.mark.requirement("P3")
+def test_what_is_told_declares_the_error_of_the_model():
+    bench = Bench(thing(), model=replace(EXACT, bias_m=0.004, noise_m=0.001, size_noise=0.02))
+    ((_, frame), *_) = bench.run(0.2)
+    error = frame.detections[0].error
+
+    np.testing.assert_allclose(error.lasting_m2, 0.004**2 * np.eye(3))
+    np.testing.assert_allclose(error.noise_m2, 0.001**2 * np.eye(3))
+    assert error.size_share == 0.02
+
+
+def test_a_thing_can_be_told_in_a_wrong_size():
+    bench = Bench(thing())
+    bench.stub.faults.resize("cup", (4.0 / 3.0, 4.0 / 3.0, 1.0))
+    ((_, frame), *_) = bench.run(0.2)
+
+    assert frame.detections[0].shape.radius_m == pytest.approx(0.04)
+    assert frame.detections[0].shape.height_m == pytest.approx(0.11)
+
+
+def test_a_camera_that_is_mounted_otherwise_tells_everything_turned():
+    bench = Bench(thing())
+    bench.stub.faults.turn_camera((0.0, math.radians(2.0), 0.0))
+    ((_, frame), *_) = bench.run(0.2)
+
+    assert frame.detections[0].camera_T_object[0, 3] == pytest.approx(math.sin(math.radians(2.0)))
+
+
+def test_a_frozen_camera_tells_the_same_with_new_numbers():
+    bench = Bench(thing(), model=replace(EXACT, noise_m=0.002))
+    bench.run(0.2)
+    bench.stub.faults.frozen = True
+    frames = [frame for _, frame in bench.run(0.3)][2:]
+
+    assert len({frame.sequence for frame in frames}) == len(frames) > 3
+    assert all(frame.detections == frames[0].detections for frame in frames)
+
+
+def test_a_table_can_be_told_at_a_wrong_height():
+    table = thing("table", (1.0, 0.0, 0.8), "table", None, Box((0.6, 1.0, 0.04)), "furniture")
+    bench = Bench(table)
+    bench.stub.set_error("table", (0.0, 0.0, 0.012), first_look_only=False)
+    ((_, frame), *_) = bench.run(0.2)
+    height_m = (bench.truth.world_T_camera() @ frame.detections[0].camera_T_object)[2, 3]
+
+    assert height_m == pytest.approx(0.812)

@@ -12,14 +12,17 @@ from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import support_of
+from robots.perception.fusion.cameras import HEAD, Seen
 from robots.perception.object_estimate import ObjectEstimate
-from robots.perception.standing import standing_on_tops
+from robots.perception.standing import seen_to_float, standing_on_tops
 from trees.beliefs.openings.moved_parts import without_moved_parts
 from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, scene_object, updated_scene, words_for
 from trees.beliefs.sight.in_plain_sight import in_plain_sight
 from trees.beliefs.sight.sight import Glimpse
+from trees.failures import Failure, Reason
 from trees.policy import TreePolicy
-from trees.skills.looking.look_leaf import View, estimates_of
+from trees.readings.disagreement import tell_disagreement
+from trees.skills.looking.look_leaf import View, seen_in
 from trees.toolbox import Toolbox
 
 
@@ -94,21 +97,55 @@ def folded_look(
         keeping: Whether what an earlier look showed stays in any case.
     """
     world, policy = toolbox.world, toolbox.policy
-    estimates = standing_on_tops(not_in_hand(toolbox, estimates_of(views)))
+    seen = seen_in(views)
+    _tell_what_cameras_say(toolbox, seen)
+    told = not_in_hand(toolbox, seen.estimates)
+    _tell_what_floats(toolbox, told)
+    estimates = standing_on_tops(told)
     glimpse, camera = glimpse_of(toolbox, views[-1]), toolbox.model.description.camera
+    own = views[-1].source == HEAD  # what others show tells nothing of what the robot's own eyes overlook
     others = tuple(world.scene.objects.values())
     update = updated_scene(
         without_moved_parts(world.scene, estimates),
         estimates,
         policy,
-        lambda item: keeping or not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m),
+        lambda item: (
+            keeping or not own or not in_plain_sight(item, glimpse, camera, others, policy.hidden_by_hand_m)
+        ),
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
     )
     update = _with_what_looks_told(toolbox, update)
     world.update(update.scene)
-    world.note_glimpse(glimpse)
+    if own:
+        world.note_glimpse(glimpse)
     return update
+
+
+def _tell_what_cameras_say(toolbox: Toolbox, seen: Seen) -> None:
+    """Say where cameras contradict each other; the robot's own then counts, which goes where its hands go."""
+    for thing, innovation in seen.differing:
+        message = f"the {innovation.source} shows the {words_for(thing)} elsewhere than my own camera"
+        failure = Failure.postcondition(message, apart_m=innovation.size, usual_m=innovation.sigma)
+        tell_disagreement(toolbox, failure.because(Reason.CAMERAS_DIFFER))
+    for name in seen.blind:
+        failure = Failure.postcondition(f"the {name} shows nothing of what another camera shows")
+        tell_disagreement(toolbox, failure.because(Reason.CAMERA_BLIND))
+
+
+def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> None:
+    """Say where a top and what stands on it are seen at heights that do not fit.
+
+    The mean of both counts then; margins are wider than what it may be wrong by.
+    """
+    for i, innovation in seen_to_float(estimates):
+        if innovation.disagrees:
+            (above_m,) = innovation.difference.tolist()
+            top = words_for(estimates[i])
+            where = "above" if above_m > 0.0 else "below"
+            message = f"what is on the {top} seems to stand {where} its top: one is seen at a wrong height"
+            failure = Failure.postcondition(message, above_m=above_m, usual_m=innovation.sigma)
+            tell_disagreement(toolbox, failure.because(Reason.SEEN_TO_FLOAT))
 
 
 def _with_what_looks_told(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:

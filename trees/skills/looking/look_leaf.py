@@ -8,10 +8,15 @@ from py_trees.common import Status
 
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
-from robots.perception.detector import PerceptionFrame
+from robots.perception.detector import Detector, PerceptionFrame
+from robots.perception.fusion.cameras import HEAD, Seen, seen_by_all
+from robots.perception.fusion.frame_watch import Fault, FrameWatch
 from robots.perception.object_estimate import ObjectEstimate, fuse_frames
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.leaf import RUNNING, Leaf
+from trees.readings.disagreement import tell_disagreement
+
+_REASONS = {Fault.FROZEN: Reason.FRAMES_FROZEN, Fault.STALE: Reason.FRAMES_STALE}
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,48 +26,87 @@ class View(Sealed):
     Attributes:
         odom_T_camera: Pose of the camera when the picture was taken, shape (4, 4).
         frame: What the detector has found in the picture.
+        source: Which camera took it.
     """
 
     odom_T_camera: Transform
     frame: PerceptionFrame
+    source: str = HEAD
 
 
 class GatheringLeaf(Leaf):
-    """A leaf that gathers pictures taken after its start, each once, with the camera's pose at that time."""
+    """A leaf that gathers pictures taken after its start, each once, with the camera's pose at that time.
+
+    Cameras that do not move with the robot are gathered from beside its own, each with a watch of its own.
+    """
 
     _views: list[View]
 
     def begin(self) -> None:
         """Forget earlier frames."""
+        now_s = self.toolbox.clock.now_s()
         self._views = []
+        self._placed: dict[str, list[View]] = {camera.name: [] for camera in self.toolbox.cameras}
+        self._watches = {name: FrameWatch(now_s) for name in (HEAD, *self._placed)}
+        self._faults: dict[str, Failure] = {}
 
     def gather(self) -> None:
-        """Take the newest frame if it is one that we have not got."""
-        frame = self.toolbox.detector.latest()
+        """Take the newest frame of each camera if it is one that we have not got, and it tells of now."""
+        if (frame := self._newest(HEAD, self.toolbox.detector, self._views)) is not None:
+            q = self.toolbox.sensing.state_at(frame.stamp_s).q
+            model = self.toolbox.model
+            self._views.append(View(model.frame_pose(q, model.description.camera.frame), frame))
+        for camera in self.toolbox.cameras:
+            views = self._placed[camera.name]
+            if (frame := self._newest(camera.name, camera.detector, views)) is not None:
+                views.append(View(camera.odom_T_camera, frame, camera.name))
+
+    def _newest(self, source: str, detector: Detector, views: list[View]) -> PerceptionFrame | None:
+        """The newest frame of one camera, or None when it is none for us."""
+        frame = detector.latest()
+        fault = self._watches[source].take(frame, self.toolbox.clock.now_s())
+        if fault is not None:
+            self._note(source, fault)
+            return None
         if frame is None or frame.stamp_s < self._started_s:
-            return
-        if self._views and frame.sequence <= self._views[-1].frame.sequence:
-            return
-        q = self.toolbox.sensing.state_at(frame.stamp_s).q
-        model = self.toolbox.model
-        self._views.append(View(model.frame_pose(q, model.description.camera.frame), frame))
+            return None
+        return None if views and frame.sequence <= views[-1].frame.sequence else frame
+
+    def _note(self, source: str, fault: Fault) -> None:
+        """Tell what is wrong with a camera, once; the look goes on, for it may come back."""
+        failure = Failure.timeout(f"the {source} delivers {fault.value}", after_s=self.elapsed_s)
+        failure = failure.because(_REASONS[fault]).at(self.where)
+        if source not in self._faults:
+            tell_disagreement(self.toolbox, failure)
+        self._faults[source] = failure
 
 
 class LookLeaf(GatheringLeaf):
     """A leaf that gathers as many pictures as a look needs, and then judges them together."""
 
     def judge(self, views: list[View]) -> Status | Failure:
-        """With enough frames gathered: what follows from them."""
+        """With enough frames gathered: what follows from them.
+
+        Args:
+            views: Those of cameras that do not move with the robot first, those of its own last; without
+                its own when that one hangs.
+        """
         raise NotImplementedError
 
     def step(self) -> Status | Failure:
-        """Gather until there are enough."""
+        """Gather until there are enough: of the robot's own camera, or of another one when that hangs."""
         self.gather()
         wanted = self.toolbox.policy.look_frames
-        if len(self._views) < wanted:
-            self.feedback_message = f"{len(self._views)} of {wanted} frames"
-            return RUNNING
-        return self.judge(self._views)
+        others = [view for views in self._placed.values() for view in views]
+        if len(self._views) >= wanted:
+            return self.judge([*others, *self._views])
+        if HEAD in self._faults:
+            if any(len(views) >= wanted for views in self._placed.values()):
+                return self.judge(others)
+            if self.elapsed_s > self.deadline_s:
+                return self._faults[HEAD]
+        self.feedback_message = f"{len(self._views)} of {wanted} frames"
+        return RUNNING
 
     @property
     def deadline_s(self) -> float:
@@ -72,6 +116,21 @@ class LookLeaf(GatheringLeaf):
 
 def estimates_of(views: list[View]) -> tuple[ObjectEstimate, ...]:
     """What at least half of the frames show, fused."""
-    return fuse_frames(
-        [(view.odom_T_camera, view.frame) for view in views], min_frames=max(1, (len(views) + 1) // 2)
-    )
+    return seen_in(views).estimates
+
+
+def seen_in(views: list[View]) -> Seen:
+    """The same, with what several cameras do not agree on."""
+    by_camera: dict[str, list[View]] = {HEAD: []}
+    for view in views:
+        by_camera.setdefault(view.source, []).append(view)
+    told = {
+        name: fuse_frames(
+            [(view.odom_T_camera, view.frame) for view in some], min_frames=max(1, (len(some) + 1) // 2)
+        )
+        for name, some in by_camera.items()
+        if some
+    }
+    if len(told) == 1:
+        return Seen(next(iter(told.values())), (), ())
+    return seen_by_all(told)

@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from trees.beliefs.scene.recognition import nearest_sighting
 from trees.beliefs.sight.sight import behind_a_hand, in_view
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -48,7 +48,7 @@ class ConfirmTarget(LookLeaf):
                     f"the {target.name} is not where it was",
                     moved_m=moved_m,
                     tolerance_m=policy.of(PickSettings).moved_tolerance_m,
-                )
+                ).because(Reason.MOVED_SINCE_LOOK)
             self.feedback_message = f"seen {moved_m * 1000:.0f} mm from where it was planned for"
             return DONE
         odom_T_camera, eye = views[-1].odom_T_camera, views[-1].odom_T_camera[:3, 3]
@@ -56,6 +56,7 @@ class ConfirmTarget(LookLeaf):
         if in_view(model.description.camera, odom_T_camera, planned) and not behind_a_hand(
             model, q, eye, planned, policy.hidden_by_hand_m
         ):
-            return Failure.postcondition(f"the {target.name} is no longer there", frames=len(views))
+            gone = Failure.postcondition(f"the {target.name} is no longer there", frames=len(views))
+            return gone.because(Reason.GONE_SINCE_LOOK)
         self.feedback_message = "hidden; taken to be where it was"
         return DONE

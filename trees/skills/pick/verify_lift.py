@@ -7,20 +7,24 @@ from numpy.typing import NDArray
 from py_trees.common import Status
 
 from kinematics.dynamics.held_load import loaded, loads_in
+from kinematics.estimation.held_centre import HeldCentre
 from kinematics.estimation.held_mass import HeldMass
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.planning_scene import AttachedBody
+from robots.perception.fusion.hand_senses import compare_places, place_felt
+from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.recognition import nearest_sighting
-from trees.failures import Failure, Number
+from trees.failures import Failure, Number, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import ports
 from trees.port_values import Target
+from trees.readings.disagreement import tell_disagreement
 from trees.skills.looking.look_leaf import GatheringLeaf, View, estimates_of
 from trees.skills.pick.settings import PickSettings
-from trees.skills.pick.verify_hold import grip_failure
+from trees.skills.pick.verify_hold import expected_grasp, grip_failure
 
 _READINGS_APART_S = 0.002
 """Readings are looked for so often; nobody makes them faster."""
@@ -59,6 +63,7 @@ class VerifyLift(GatheringLeaf):
         super().begin()
         self._lost_since_s: float | None = None
         self._weighing = self._scales()
+        self._centre = HeldCentre(self._weighing)
         self._weighed_s = self.toolbox.sensing.state().readings.stamp_s
 
     def step(self) -> Status | Failure:
@@ -97,10 +102,11 @@ class VerifyLift(GatheringLeaf):
         effort = np.mean([one.effort[:bodies] for one in read.values()], axis=0)
         v = np.mean([one.v[:bodies] for one in read.values()], axis=0)
         self._weighing.add(newest.q, v, effort, self._body().frame_T_object[:3, 3], len(read))
+        self._centre.add(newest.q, v, effort, len(read))
         self._weighed_s = now_s
 
     def _lost_grip(self) -> Failure | None:
-        grasp: Grasp = self.get_input("grasp")
+        grasp = expected_grasp(self.toolbox.world, self.get_input("grasp"), self.get_input("target"))
         reading = self.toolbox.grippers[grasp.hand].reading()
         failure = grip_failure(reading, grasp, self.toolbox.policy.of(PickSettings).opening_tolerance_m)
         if failure is None:
@@ -155,6 +161,29 @@ class VerifyLift(GatheringLeaf):
                 )
         return numbers
 
+    def _compare_places(self) -> dict[str, Number]:
+        """Where the camera sees it and where fingers and weight feel it; what to note where these differ.
+
+        The hand's word counts, for it holds the thing: the pick is done, and people are told that the camera
+        is not to be trusted.
+        """
+        target: Target = self.get_input("target")
+        found = self._sighting(self._views)
+        if found is None:
+            return {}
+        view = self._views[-1]
+        felt = place_felt(self._centre)
+        innovation = compare_places(felt, found, self._odom_T_tcp(view), view.frame.stamp_s)
+        if innovation is None or not innovation.disagrees:
+            return {}
+        failure = Failure.postcondition(
+            f"the hand feels the {target.name} {innovation.size * 1e3:.0f} mm from where the camera shows it",
+            apart_m=innovation.size,
+            usual_m=innovation.sigma,
+        )
+        tell_disagreement(self.toolbox, failure.because(Reason.FELT_ELSEWHERE).at(self.where))
+        return {"felt_apart_m": innovation.size}
+
     def _succeed(self, seen: dict[str, float]) -> Status:
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
@@ -168,6 +197,7 @@ class VerifyLift(GatheringLeaf):
             "mass_kg": mass_kg,
             "seen": bool(seen),
             **{key: value for key, value in seen.items() if key != "off_m"},
+            **(self._compare_places() if seen else {}),
         }
         self._set_output("evidence", evidence)
         self.measured(**evidence)
@@ -177,15 +207,20 @@ class VerifyLift(GatheringLeaf):
 
     def _in_tcp(self, views: list[View]) -> NDArray[np.float64] | None:
         """Where the object is seen in the TCP's frame, shape (3,)."""
-        target, body = self.get_input("target"), self._body()
-        odom_T_tcp = self._odom_T_tcp(views[-1])
-        expected = (odom_T_tcp @ body.frame_T_object)[:3, 3]
-        scene, near = self.toolbox.world.scene, self.toolbox.policy.same_object_m
-        found = nearest_sighting(target, expected, estimates_of(views), scene, near)
+        found = self._sighting(views)
         if found is None:
             return None
-        place: NDArray[np.float64] = (poses.inverse(odom_T_tcp) @ found[0].odom_T_object)[:3, 3]
+        odom_T_tcp = self._odom_T_tcp(views[-1])
+        place: NDArray[np.float64] = (poses.inverse(odom_T_tcp) @ found.odom_T_object)[:3, 3]
         return place
+
+    def _sighting(self, views: list[View]) -> ObjectEstimate | None:
+        """The object as some pictures show it."""
+        target, body = self.get_input("target"), self._body()
+        expected = (self._odom_T_tcp(views[-1]) @ body.frame_T_object)[:3, 3]
+        scene, near = self.toolbox.world.scene, self.toolbox.policy.same_object_m
+        found = nearest_sighting(target, expected, estimates_of(views), scene, near)
+        return None if found is None else found[0]
 
     def _body(self) -> AttachedBody:
         return self.toolbox.world.scene.attached[self.get_input("target").name]

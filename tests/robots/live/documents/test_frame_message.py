@@ -11,13 +11,16 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.live.documents.frame_message import read_frame, write_frame
 from robots.live.wire.messages import read_object
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.position_error import PositionError
 
 POSE = poses.transform(poses.rotation_z(0.3), (0.1, -0.2, 1.5))
+ERROR = PositionError(np.diag([1e-5, 2e-5, 3e-5]), 1e-6 * np.eye(3), 0.02)
 SEEN = (
     Detection("object", "cup", "red", POSE, Cylinder(0.03, 0.1), 0.9),
     Detection("object", "ball", None, POSE, Ball(0.03), 0.8),
     Detection("furniture", "table", None, POSE, Box((0.6, 1.2, 0.04)), 0.95, "side table"),
     Detection("person", "person", None, POSE, Cylinder(0.25, 1.7), 0.7, "Ana"),
+    Detection("object", "can", "blue", POSE, Cylinder(0.03, 0.1), 0.9, error=ERROR),
 )
 
 
@@ -32,4 +35,10 @@ def test_everything_that_was_seen_arrives(detection: Detection) -> None:
     assert (arrived.stamp_s, arrived.sequence) == (1.25, 7)
     before, after = told(detection), told(arrived.detections[0])
     np.testing.assert_array_equal(before.pop("camera_T_object"), after.pop("camera_T_object"))
+    sent, came = before.pop("error"), after.pop("error")
     assert after == before
+    assert (sent is None) is (came is None)
+    if sent is not None:
+        np.testing.assert_array_equal(came.lasting_m2, sent.lasting_m2)
+        np.testing.assert_array_equal(came.noise_m2, sent.noise_m2)
+        assert came.size_share == sent.size_share

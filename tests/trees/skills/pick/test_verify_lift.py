@@ -1,6 +1,9 @@
 import pytest
 from py_trees.common import Status
 
+from robots.perception.position_error import alike_in_all_directions
+from trees.events import NotSo, Said
+from trees.failures import Reason
 from trees.skills.looking.look_at import LookAtTarget
 from trees.skills.pick.attach import Attach
 from trees.skills.pick.settings import PickSettings
@@ -119,3 +122,19 @@ def test_a_doubtful_reading_at_the_end_of_the_hold_is_waited_out(lifted):
 
     assert verify(lifted, ticks_of_the_hold, lose_effort) is Status.FAILURE
     assert lifted.leaf.failure.message == "the red cup was lost after the lift"
+
+
+@pytest.mark.requirement("P3")
+@pytest.mark.parametrize(("aside_m", "told"), [(0.0, []), (0.03, [Reason.FELT_ELSEWHERE])])
+def test_a_cup_that_is_felt_elsewhere_than_it_is_seen_is_told_and_counts_as_held(lifted, aside_m, told):
+    detector = lifted.fake.detector
+    detector.error = alike_in_all_directions(0.003, 0.0, 0.01)
+    across = lifted.toolbox.model.frame_pose(lifted.toolbox.sensing.state().q, "tcp_right")[:3, 1]
+    detector.offset_m["red cup"] = tuple((aside_m * across).tolist())
+    lifted.fake.step()
+
+    assert verify(lifted) is Status.SUCCESS
+    noticed = [event.failure.reason for event in lifted.events if isinstance(event, NotSo)]
+    assert noticed == told
+    assert len([event for event in lifted.events if isinstance(event, Said)]) == len(told)
+    assert ("felt_apart_m" in lifted.output("evidence")) is bool(told)

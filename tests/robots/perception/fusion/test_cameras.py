@@ -1,0 +1,80 @@
+"""Two cameras see better than one, and one of them may fail."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from robots.perception.fusion.cameras import seen_by_all
+from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.position_error import alike_in_all_directions
+
+
+def cup(place_m, sigma_m=0.005, color="red", error=True):
+    declared = alike_in_all_directions(sigma_m, 0.0, 0.01) if error else None
+    place = poses.translation(*place_m)
+    return ObjectEstimate("object", "cup", color, place, Cylinder(0.03, 0.1), 0.9, 8, 0.003, error=declared)
+
+
+@pytest.mark.requirement("P3")
+def test_a_second_camera_makes_places_better():
+    rng = np.random.default_rng(3)
+    alone, both = [], []
+    for _ in range(100):
+        truth = rng.uniform(-1.0, 1.0, 3)
+        head, fixed = (cup(truth + rng.normal(0.0, 0.005, 3)) for _ in range(2))
+        (fused,) = seen_by_all({"head camera": [head], "ceiling camera": [fixed]}).estimates
+        alone.append(np.linalg.norm(head.odom_T_object[:3, 3] - truth))
+        both.append(np.linalg.norm(fused.odom_T_object[:3, 3] - truth))
+
+    assert np.median(both) < 0.85 * np.median(alone)
+
+
+@pytest.mark.requirement("P3")
+def test_the_better_camera_counts_for_more():
+    (fused,) = seen_by_all({"a": [cup((0, 0, 0), 0.001)], "b": [cup((0.01, 0, 0), 0.010)]}).estimates
+
+    assert 0.0 < fused.odom_T_object[0, 3] < 0.001
+
+
+@pytest.mark.requirement("P3")
+def test_cameras_that_differ_are_told_and_not_averaged():
+    seen = seen_by_all({"a": [cup((0, 0, 0))], "b": [cup((0.04, 0, 0))]})
+
+    ((thing, innovation),) = seen.differing
+    assert thing.kind == "cup"
+    assert innovation.size == pytest.approx(0.04)
+    assert seen.estimates[0].odom_T_object[0, 3] == 0.0
+
+
+@pytest.mark.requirement("P3")
+def test_a_covered_camera_is_noticed_and_the_other_goes_on():
+    seen = seen_by_all({"a": [], "b": [cup((0, 0, 0))]})
+
+    assert seen.blind == ("a",)
+    assert len(seen.estimates) == 1
+
+
+def test_where_nothing_stands_nobody_is_blind():
+    assert seen_by_all({"a": [], "b": []}).blind == ()
+
+
+def test_what_one_camera_alone_sees_is_there():
+    seen = seen_by_all({"a": [cup((0, 0, 0))], "b": [cup((0, 0, 0)), cup((0.5, 0, 0))]})
+
+    assert len(seen.estimates) == 2
+
+
+def test_things_of_other_colours_are_other_things():
+    seen = seen_by_all({"a": [cup((0, 0, 0))], "b": [cup((0.01, 0, 0), color="blue")]})
+
+    assert [one.color for one in seen.estimates] == ["red", "blue"]
+
+
+def test_without_declared_errors_the_first_camera_counts():
+    first = cup((0, 0, 0), error=False)
+    seen = seen_by_all({"a": [first], "b": [replace(first, odom_T_object=poses.translation(0.02, 0, 0))]})
+
+    assert seen.estimates == (first,)
