@@ -17,7 +17,7 @@ from pathlib import Path
 from rich.console import Console
 
 from executive.chat.chat_screen import ChatView
-from executive.chat.own_robot import OwnRobot
+from executive.doors.own_robot import OwnRobot
 from executive.chat.robot_watch import RobotWatch
 from executive.chat.screen_chat import ScreenChat
 from executive.chat.talk import Talk

@@ -24,6 +24,7 @@ from executive.cli.commands.choices import (
     not_empty,
     whole_number_from,
 )
+from executive.cli.own_service import serve_meanwhile
 from executive.cli.standard_streams import sayable
 from executive.config import runtime_directory, state_directory, use_config
 from executive.exit_codes import ExitCode
@@ -87,7 +88,7 @@ def chat(
         else:
             options = [*own, f"--pace={pace}", f"--confidence={confidence}", f"--policy={policy.value}"]
             say("the robot gets ready …")
-            where = _serve(options, lambda line: outlet[0](line), closing)
+            where = serve_meanwhile(options, lambda line: outlet[0](line), closing)
         code = _talk(where, plain, outlet, closing)
     raise typer.Exit(code)
 
@@ -103,20 +104,6 @@ def _own(
         ("record", "" if record is None else str(record)),
         ("model", model or ""),
     ]
-
-
-def _serve(options: list[str], say: Callable[[str], None], closing: ExitStack) -> Path:
-    """Have a robot served until the end, and tell where."""
-    from executive.chat.own_robot import OwnRobot
-    from executive.ending_signals import EndedBySignal, taken_by, told
-
-    signals: list[int] = []
-    with taken_by(signals.append):
-        own = closing.enter_context(OwnRobot(options, say))
-        own.wait(lambda: bool(signals))
-    if signals:
-        raise EndedBySignal(told(signals[0], "cancelled"))
-    return own.folder
 
 
 def _talk(where: Path, plain: bool, outlet: list[Callable[[str], None]], closing: ExitStack) -> ExitCode:

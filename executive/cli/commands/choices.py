@@ -128,3 +128,15 @@ ConfidenceOption = Annotated[
 PolicyOption = Annotated[
     PolicyChoice, typer.Option(help="Below the confidence: ask, or do the other steps only.")
 ]
+
+LOOPBACK = "lo"
+RosOption = Annotated[
+    bool, typer.Option("--ros", help="ROS 2 on the wire, this machine alone unless told otherwise.")
+]
+RosDomainOption = Annotated[
+    int, typer.Option(parser=whole_number_from(0, 232), metavar="N", help="ROS_DOMAIN_ID.")
+]
+RosNamespaceOption = Annotated[str, typer.Option(metavar="NAME", help="Before every topic of ROS.")]
+RosInterfaceOption = Annotated[
+    str, typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands.")
+]

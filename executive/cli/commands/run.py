@@ -6,11 +6,12 @@ import sys
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 from executive.cli.commands.choices import (
+    LOOPBACK,
     ConfidenceOption,
     ConfigOption,
     ModelOption,
@@ -19,10 +20,15 @@ from executive.cli.commands.choices import (
     PaceChoice,
     PolicyChoice,
     PolicyOption,
+    RosDomainOption,
+    RosInterfaceOption,
+    RosNamespaceOption,
+    RosOption,
     YesOption,
     not_empty,
     whole_number_from,
 )
+from executive.cli.own_service import serve_meanwhile
 from executive.cli.standard_streams import tell_result
 from executive.config import runs_directory, use_config
 from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
@@ -59,8 +65,12 @@ def run(
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
     pace: Annotated[
-        PaceChoice, typer.Option(help="As fast as the machine computes, or as time passes.")
-    ] = PaceChoice.FAST,
+        PaceChoice | None,
+        typer.Option(
+            help="As fast as the machine computes, or as time passes.",
+            show_default="fast; with --ros as time passes",
+        ),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
     config: ConfigOption = None,
     plain: Annotated[
@@ -68,6 +78,10 @@ def run(
     ] = False,
     model: ModelOption = None,
     yes: YesOption = False,
+    ros: RosOption = False,
+    ros_domain: RosDomainOption = 0,
+    ros_namespace: RosNamespaceOption = "",
+    ros_interface: RosInterfaceOption = LOOPBACK,
 ) -> None:
     """Carry out one sentence, or a task script."""
     from executive.checks.machine import compile_kernel
@@ -78,12 +92,34 @@ def run(
 
     use_config(config)
     trust = Trust(confidence, policy.value)
+    script = script_for(text, trust, scene)
+    if ros:
+        no = {"report": report, "snapshot": snapshot, "video": video, "junit": junit, "on-question": None}
+        if on_question is not OnQuestionChoice.ASK:
+            no["on-question"] = Path(on_question.value)
+        if refused := next((name for name, value in no.items() if value is not None), None):
+            raise typer.BadParameter(f"--{refused}: not with --ros; the run is recorded, see --record")
+        own = {
+            "robot": robot or script.robot,
+            "scene": scene or script.scene,
+            "seed": script.seed if seed is None else seed,
+            "record": record,
+            "pace": pace.value if pace else "real",
+            "confidence": confidence,
+            "policy": policy.value,
+            "model": model,
+            "config": config,
+            "ros-domain": ros_domain,
+            "ros-namespace": ros_namespace,
+            "ros-interface": ros_interface,
+        }
+        options = [f"--{name}={value}" for name, value in own.items() if value not in (None, "")]
+        _run_with_ros(text, [*options, "--ros", *(["--yes"] if yes else [])], quiet)
     asker, front = None, None
     if model is not None:
         from executive.doors.model.front_model import front_model
 
         front, asker = front_model(model, trust, reads_back=not yes)
-    script = script_for(text, trust, scene)
     request = RunRequest(
         input=text,
         statements=script.statements,
@@ -117,6 +153,22 @@ def run(
         typer.echo(f"executive: {complaint}", err=True)
     tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
+
+
+def _run_with_ros(text: str, options: list[str], quiet: bool) -> NoReturn:
+    """Have a robot served with ROS on the wire for as long as one order takes."""
+    from executive.cli.commands.send import give_order, order_of
+    from robots.live.wire.runtime_folder import RuntimeFolder
+
+    def say(line: str) -> None:
+        if not quiet:
+            typer.echo(line, err=True)
+
+    with ExitStack() as closing:
+        where = RuntimeFolder(serve_meanwhile(options, say, closing))
+        line, code = give_order(where, order_of(text, where), quiet)
+    tell_result(line)
+    raise typer.Exit(code)
 
 
 def _terminal(

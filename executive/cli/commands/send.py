@@ -30,27 +30,31 @@ def send(
     folder: FolderOption = None,
 ) -> None:
     """Have a served robot do something; Ctrl-C cancels it, a second one is the emergency stop."""
-    from executive.live.caller.sendable import sendable
     from executive.live.desk_messages import Say
-    from executive.scripts.task_script import is_script
     from robots.live.wire.runtime_folder import RuntimeFolder
 
     if (velocity is None) == (not text):
         raise typer.BadParameter("either a sentence or --velocity")
     where = RuntimeFolder(folder or runtime_directory())
-    order: Sequence[Say | ScriptLine]
-    if velocity is not None:
-        if not all(map(math.isfinite, velocity)):
-            told = f"{velocity[0]:g} {velocity[1]:g}"
-            raise typer.BadParameter(f"--velocity: {told} are not two finite numbers")
+    if velocity is None:
+        order = order_of(text, where)
+    elif all(map(math.isfinite, velocity)):
         order = [Say("", 0.0, *velocity)]
-    elif is_script(text):
-        order = _script(Path(text), where)
     else:
-        order = [Say(sendable(text))]
-    line, code = _say(where, order, quiet)
+        told = f"{velocity[0]:g} {velocity[1]:g}"
+        raise typer.BadParameter(f"--velocity: {told} are not two finite numbers")
+    line, code = give_order(where, order, quiet)
     tell_result(line)
     raise typer.Exit(code)
+
+
+def order_of(text: str, where: RuntimeFolder) -> Sequence[Say | ScriptLine]:
+    """A sentence, or a script, as it is sent to the robot that is served in a folder."""
+    from executive.live.caller.sendable import sendable
+    from executive.live.desk_messages import Say
+    from executive.scripts.task_script import is_script
+
+    return _script(Path(text), where) if is_script(text) else [Say(sendable(text))]
 
 
 def _script(path: Path, where: RuntimeFolder) -> list[ScriptLine]:
@@ -66,7 +70,7 @@ def _script(path: Path, where: RuntimeFolder) -> list[ScriptLine]:
     return lines
 
 
-def _say(where: RuntimeFolder, order: Sequence[Say | ScriptLine], quiet: bool) -> tuple[str, ExitCode]:
+def give_order(where: RuntimeFolder, order: Sequence[Say | ScriptLine], quiet: bool) -> tuple[str, ExitCode]:
     """Give an order, and hear how it ended: the line for people, and the exit code."""
     from executive.live.caller.caller import Caller, NoAnswerError, ask_at
     from executive.live.caller.hang_watch import HungError, commander_of, hear_out

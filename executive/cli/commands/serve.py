@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from executive.cli.commands.choices import (
+    LOOPBACK,
     REAL_PACE,
     ConfidenceOption,
     ConfigOption,
@@ -17,6 +18,10 @@ from executive.cli.commands.choices import (
     ModelOption,
     PolicyChoice,
     PolicyOption,
+    RosDomainOption,
+    RosInterfaceOption,
+    RosNamespaceOption,
+    RosOption,
     ServedPaceOption,
     YesOption,
     not_empty,
@@ -53,17 +58,10 @@ def serve(
     ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Say nothing unless something is wrong.")] = False,
     plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
-    ros: Annotated[
-        bool, typer.Option("--ros", help="ROS 2 on the wire, this machine alone unless told otherwise.")
-    ] = False,
-    ros_domain: Annotated[
-        int, typer.Option(parser=whole_number_from(0, 232), metavar="N", help="ROS_DOMAIN_ID.")
-    ] = 0,
-    ros_namespace: Annotated[str, typer.Option(metavar="NAME", help="Before every topic of ROS.")] = "",
-    ros_interface: Annotated[
-        str,
-        typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands."),
-    ] = "lo",
+    ros: RosOption = False,
+    ros_domain: RosDomainOption = 0,
+    ros_namespace: RosNamespaceOption = "",
+    ros_interface: RosInterfaceOption = LOOPBACK,
     model: ModelOption = None,
     yes: YesOption = False,
     config: ConfigOption = None,

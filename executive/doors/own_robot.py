@@ -1,4 +1,4 @@
-"""A robot of the chat's own: served for as long as the chat lasts, in a folder that nobody else knows."""
+"""A robot of a command's own: served for as long as the command lasts, in a folder that nobody else knows."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class OwnRobotError(UserError):
 
 
 class OwnRobot:
-    """``executive serve`` in a process of its own; as a context it ends with the chat, at rest.
+    """``executive serve`` in a process of its own; as a context it ends with the command, at rest.
 
     Args:
         options: Of ``executive serve``: robot, scene, seed and the like.
@@ -35,7 +35,7 @@ class OwnRobot:
     """
 
     def __init__(self, options: Sequence[str], say: Callable[[str], None]) -> None:
-        self._place = tempfile.TemporaryDirectory(prefix="executive-chat-", ignore_cleanup_errors=True)
+        self._place = tempfile.TemporaryDirectory(prefix="executive-own-", ignore_cleanup_errors=True)
         self.folder = Path(self._place.name) / "live"
         self._say, self._wall = say, WallClock()
         self._told: list[str] = []
@@ -47,9 +47,9 @@ class OwnRobot:
             stderr=subprocess.STDOUT,
             encoding="utf-8",
             errors="replace",
-            start_new_session=True,  # a Ctrl-C here is the conversation's
+            start_new_session=True,  # a Ctrl-C here is for whoever started it
         )
-        threading.Thread(target=self._listen, name="robot of the chat", daemon=True).start()
+        threading.Thread(target=self._listen, name="own robot", daemon=True).start()
 
     def __enter__(self) -> OwnRobot:
         """It is served, or will be soon."""
