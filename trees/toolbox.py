@@ -9,15 +9,18 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.following.jog_reference import Jog
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.request import Request
+from kinematics.scene.planning_scene import PlanningScene
 from kinematics.walking.pattern.steering import Steering
 from robots.clock import Clock
 from robots.control.guarded.guarded_motion import GuardedMotion
+from robots.control.hands.jogged_body import JogReport
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle
@@ -150,6 +153,40 @@ class Yielding(Protocol):
         ...
 
 
+class JoggingMotion(Protocol):
+    """A motion that is under way, in which trunk, arms and head go as a person jogs them."""
+
+    @property
+    def handle(self) -> MotionHandle:
+        """The motion's; the streamer cancels it."""
+        ...
+
+    @property
+    def report(self) -> JogReport:
+        """How it goes."""
+        ...
+
+    def steer(self, jog: Jog) -> None:
+        """Go on as asked for, for as long as a word is good for; silence brakes."""
+        ...
+
+    def brake(self) -> None:
+        """Come to rest now, and go on listening."""
+        ...
+
+    def finish(self) -> None:
+        """Come to rest, and end."""
+        ...
+
+
+class Jogging(Protocol):
+    """Starts motions that a person makes."""
+
+    def start(self, scene: PlanningScene) -> JoggingMotion:
+        """Begin where the robot is commanded to be now, in a scene; the handle is refused when it may not."""
+        ...
+
+
 class Sensing(Protocol):
     """The readings of the robot's own sensors, and the configuration that is estimated from them."""
 
@@ -230,6 +267,7 @@ class Toolbox:
     ranging: RangeSensor | None = None
     pauses: Pauses = field(default_factory=Pauses)
     yielding: Yielding | None = None
+    jogging: Jogging | None = None
     places: Mapping[str, Region] = field(default_factory=dict)
     velocities: VelocityFeed | None = None
     identity: Identity = field(default_factory=Identity)

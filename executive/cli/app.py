@@ -14,6 +14,7 @@ from executive.cli.commands import (
     chat,
     check,
     doctor,
+    jog,
     list_,
     mcp,
     parse,
@@ -106,6 +107,7 @@ app.command("stop")(stop.stop)
 app.command("reset")(reset.reset)
 app.command("shutdown")(shutdown.shutdown)
 app.command("chat")(chat.chat)
+app.command("jog")(jog.jog)
 app.command("mcp")(mcp.mcp)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from typing import Protocol
 
 from executive.dialogue.clarification import OpenQuestion
+from executive.session.by_hand import ByHand
 from executive.session.cancellation import Cancellation
 from executive.session.events import InputTaken
 
@@ -21,6 +22,11 @@ class Stoppable(Protocol):
     @property
     def now_s(self) -> float:
         """Simulated time."""
+        ...
+
+    @property
+    def hands(self) -> ByHand:
+        """Lets a person take a task over."""
         ...
 
     def cancel(self, reason: str) -> None:

@@ -80,11 +80,58 @@ class Velocity:
 
 
 @dataclass(frozen=True, slots=True)
+class TakeOver:
+    """A person wants the robot in hand: the task under way, or the one that failed last, or none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Jog:
+    """A word of the person who has taken over; good for a moment, and one of many.
+
+    ``move`` is "hand", "joint", "base", "grip" or "brake"; ``part`` the hand or the joint. ``x`` to ``rz``
+    are the velocities of a hand along and about the axes of ``frame``, m/s and rad/s; of a joint ``x``,
+    rad/s; of the base ``x`` and ``rz``; of a grip ``x`` above 0 opens. Fingers that ``may_touch`` may come
+    near to what can be picked up.
+    """
+
+    move: str
+    part: str = ""
+    frame: str = "world"
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rx: float = 0.0
+    ry: float = 0.0
+    rz: float = 0.0
+    may_touch: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class HandBack:
+    """The person gives the robot back, and says what is so: "held_left", "held_right", "go_on", "give_up"."""
+
+    ending: str
+
+
+@dataclass(frozen=True, slots=True)
 class GetScene:
     """What does the robot believe to be around it?"""
 
 
-DeskMessage = Say | ScriptLine | Cancel | Answer | PauseTask | ResumeTask | GetStatus | GetScene | Velocity
+DeskMessage = (
+    Say
+    | ScriptLine
+    | Cancel
+    | Answer
+    | PauseTask
+    | ResumeTask
+    | GetStatus
+    | GetScene
+    | Velocity
+    | TakeOver
+    | Jog
+    | HandBack
+)
 
 
 _MESSAGES: Mapping[str, type] = {
@@ -97,6 +144,9 @@ _MESSAGES: Mapping[str, type] = {
     "status": GetStatus,
     "scene": GetScene,
     "velocity": Velocity,
+    "take_over": TakeOver,
+    "jog": Jog,
+    "hand_back": HandBack,
 }
 
 

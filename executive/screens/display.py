@@ -176,6 +176,22 @@ class LiveDisplay:
         self.state = replace(self.state, paused=paused)
         self.draw()
 
+    def jog(self, lines: tuple[str, ...]) -> None:
+        """Show what a person who jogs the robot has to know; nothing once nobody does."""
+        if lines != self.state.by_hand:
+            self.state = replace(self.state, by_hand=lines)
+            self.draw()
+
+    def offer(self, offered: bool) -> None:
+        """Show that a person may take over, or no more."""
+        self.state = replace(self.state, offered=offered)
+        self.draw()
+
+    @property
+    def width(self) -> int:
+        """Columns."""
+        return self._console.width
+
     def note(self, line: str) -> None:
         """Print a line above the drawing."""
         self._console.print(line, markup=False, highlight=False)

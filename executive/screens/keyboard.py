@@ -11,6 +11,7 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import IO
 
+from executive.screens.key_names import key_names
 from executive.screens.terminal_attendant import LOOK_EVERY_S, never
 
 
@@ -53,6 +54,11 @@ class Keyboard:
             return os.read(self._file, 4096) or None
         except OSError:
             return None
+
+    def keys(self, timeout_s: float = 0.0) -> tuple[str, ...]:
+        """The keys that have come, by name: characters, "up", "down", "left", "right", "enter"."""
+        ready, _, _ = select.select([self._file], [], [], timeout_s)
+        return key_names(self._read(1024)) if ready else ()
 
     def line(self, timeout_s: float, interrupted: Callable[[], bool] = never) -> str | None:
         """A line typed with echo, or None when none comes in time, or it is not waited for any more."""

@@ -32,7 +32,9 @@ WIDE = 120
 LOG_LINES = 4
 """Newest lines below the tree on a narrow screen."""
 
-KEYS = "c cancel   e emergency stop   p pause"
+KEYS = "c cancel   e emergency stop   p pause   t take over"
+PAUSED_KEYS = "p go on   c cancel   e emergency stop"
+OFFERED_KEYS = "t take over   any other key: leave it so"
 QUESTION_KEYS = "1-9 choose   a answer in words   c never mind   e emergency stop"
 
 
@@ -53,6 +55,8 @@ class ScreenState:
         paused: Whether simulated time is held.
         log: Newest lines, the last one newest.
         keys: Whether keys are listened to.
+        by_hand: What is shown to a person who jogs the robot; empty while nobody does.
+        offered: Whether a person may take over what has failed.
     """
 
     place: str = ""
@@ -67,6 +71,8 @@ class ScreenState:
     paused: bool = False
     log: tuple[str, ...] = ()
     keys: bool = False
+    by_hand: tuple[str, ...] = ()
+    offered: bool = False
 
 
 def screen(state: ScreenState, width: int, height: int, unicode: bool = True) -> list[Row]:
@@ -119,9 +125,11 @@ def _foot(state: ScreenState, width: int, unicode: bool) -> list[Row]:
         head, *choices = state.question.lines()
         rows.append(line_row(f"asked   {head}", "ask", width, unicode))
         rows += [line_row(f"        {choice.strip()}", "ask", width, unicode) for choice in choices]
+    if state.by_hand:
+        return [*rows, *(line_row(line, "ask", width, unicode) for line in state.by_hand)]
+    if state.offered:
+        return [*rows, line_row(f"keys    {OFFERED_KEYS}", "ask", width, unicode)]
     if state.keys:
         keys = QUESTION_KEYS if state.question is not None else KEYS
-        rows.append(
-            line_row(f"keys    {'p go on   ' + keys[:-10] if state.paused else keys}", "dim", width, unicode)
-        )
+        rows.append(line_row(f"keys    {PAUSED_KEYS if state.paused else keys}", "dim", width, unicode))
     return rows

@@ -8,6 +8,7 @@ from executive.dialogue.attendant import Attendant
 from executive.dialogue.settle_words import goes_on
 from executive.errands.errand import Errand
 from executive.exit_codes import ExitCode
+from executive.meaning import Command
 from executive.reports.feedback import result_line, result_line_of_all
 from executive.scripts.script_order import first_unexpected, in_order, unexpected_code
 from executive.session.driver import driven
@@ -162,3 +163,11 @@ def _line(statement: Statement, result: TaskResult) -> str:
     if result.outcome == "question" and statement.parsed.question is not None:
         return f"question: {statement.parsed.question.text}"
     return result_line(result)
+
+
+def failed_command(results: Sequence[Said]) -> Command | None:
+    """The command of the last task that was tried and failed, or None where the last one did not."""
+    if not results or not results[-1][1] or results[-1][1][-1].outcome != "failed":
+        return None
+    statement, told = results[-1]
+    return next((one for one in statement.parsed.commands if one.text == told[-1].text), None)

@@ -122,6 +122,7 @@ def assemble(
         grippers=loop.grippers,
         walking=loop.walking,
         yielding=loop.yielding,
+        jogging=loop.jogging,
         detector=CanonicalDetector(perception, canonical_kind),
         ranging=world.ranging,
         planning=planning,

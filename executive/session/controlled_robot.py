@@ -21,7 +21,7 @@ from trees.build import TaskTree
 from trees.events import Offered
 from trees.policy import TreePolicy
 from trees.self_knowledge import Calendar, Identity
-from trees.toolbox import Gripper, MotionControl, Planning, Toolbox, VelocityFeed, Walking, Yielding
+from trees.toolbox import Gripper, Jogging, MotionControl, Planning, Toolbox, VelocityFeed, Walking, Yielding
 from trees.world_model import WorldModel
 
 
@@ -46,6 +46,7 @@ class ControlledRobot:
         grippers: The gripper of each hand that has one.
         walking: The way to the feet.
         yielding: The way to a hand that yields to what it holds.
+        jogging: The way to what a person jogs.
         detector: What the camera shows.
         ranging: What the range sensor scans.
         planning: The planning service.
@@ -61,6 +62,7 @@ class ControlledRobot:
     grippers: Mapping[Hand, Gripper]
     walking: Walking | None
     yielding: Yielding | None
+    jogging: Jogging | None
     detector: Detector
     ranging: RangeSensor | None
     planning: TimedPlanning
@@ -122,6 +124,7 @@ def session_on(
         walking=robot.walking,
         ranging=robot.ranging,
         yielding=robot.yielding,
+        jogging=robot.jogging,
         places=places,
         velocities=velocities,
         identity=identity or Identity(),

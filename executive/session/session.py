@@ -6,21 +6,22 @@ from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
+from executive.manual.handed_back import PERSON
 from executive.meaning import Command, StopCommand, command_json
+from executive.session.by_hand import ByHand
 from executive.session.cancellation import Cancellation
 from executive.session.driver import driven
 from executive.session.events import Event, EventHub, EventSink, TaskAccepted, TaskEnded
 from executive.session.lockstep import Lockstep, Periods
 from executive.session.pause import Pausable, Pause
 from executive.session.supervisor import Supervisor
-from executive.session.task_result import Outcome, TaskResult, TaskTimes
+from executive.session.task_result import Outcome, TaskResult, TaskTimes, subject_of
 from robots.clock import Clock, WallClock
-from trees.beliefs.scene.scene_update import kind_of
 from trees.build import TaskTree, build_tree
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Number
 from trees.nodes.leaf import from_exception
 from trees.registry import skill_of
-from trees.tasks import ObjectDescription, Task
+from trees.tasks import Task
 from trees.toolbox import Toolbox
 
 HALT_TICKS = 100
@@ -59,6 +60,9 @@ class Session:
         build: Makes a task's tree; `build_tree` when left out.
         supervisor: Says whether commands may be carried out; without one, all may.
         pausing: Holds the robot during a pause; without one, what it is doing goes on to its end.
+
+    Attributes:
+        hands: Lets a person take a task over, and give it back.
     """
 
     def __init__(
@@ -85,6 +89,7 @@ class Session:
         self._clock: Clock = toolbox.clock
         self._pause = Pause(pausing, self._sink, self._clock.now_s)
         self._request: Cancellation | None = None
+        self.hands = ByHand(toolbox, self._lockstep, self._sink, self._stopped_or_cancelled)
         self._wakers: list[Callable[[], None]] = []
 
     @property
@@ -159,6 +164,16 @@ class Session:
                 return Failure(FailureKind.CANCELED, stopped)
         return self._cancelled()
 
+    def _stopped_or_cancelled(self) -> Failure | None:
+        """What ends a person's jogging beside the person."""
+        if self._supervisor is not None:
+            if (stopped := self._supervisor.stopped()) is not None:
+                return Failure(FailureKind.CANCELED, stopped)
+            if (unwell := self._supervisor.unwell()) is not None:
+                self._supervisor.note_defect(unwell.message)
+                return Failure(FailureKind.CANCELED, unwell.message)
+        return self._cancelled()
+
     def _cancelled(self) -> Failure | None:
         return None if self._request is None else self._request.taken(self.now_s, self._sink)
 
@@ -229,18 +244,25 @@ class Session:
         return driven(self.task_steps(command, timeout_s))
 
     def task_steps(
-        self, command: Command, timeout_s: float | None = None
+        self, command: Command, timeout_s: float | None = None, by_hand: bool = False
     ) -> Generator[None, object, TaskResult]:
-        """The same as ``run_task``, a tick at a time, for a driver that does other things in between."""
-        with self.request():
-            return (yield from self._task_steps(command, timeout_s))
+        """The same as ``run_task``, a tick at a time, for a driver that does other things in between.
 
-    def _task_steps(self, command: Command, timeout_s: float | None) -> Generator[None, object, TaskResult]:
+        With ``by_hand`` it begins in a person's hands.
+        """
+        with self.request():
+            return (yield from self._task_steps(command, timeout_s, by_hand))
+
+    def _task_steps(
+        self, command: Command, timeout_s: float | None, by_hand: bool
+    ) -> Generator[None, object, TaskResult]:
         wall = WallClock()
         self._lockstep.settle()
         began_s, planned_s = self.now_s, self._planning.wall_s
         self._sink(TaskAccepted(began_s, command.text, command_json(command)))
         tree: TaskTree | None = None
+        person: dict[str, Number] = {}
+        acted_on: str | None = None
         refusal = None if self._supervisor is None else self._supervisor.admit(self._lockstep.let_pass)
         outcome: tuple[Outcome, Failure | None]
         if isinstance(command, StopCommand):
@@ -248,16 +270,28 @@ class Session:
         elif refusal is not None:
             outcome = "refused", refusal
         else:
-            tree = (self._build or build_tree)(command, self._toolbox)
             limit_s = _usual_limit_s(command) if timeout_s is None else timeout_s
-            outcome = yield from self._run_guarded(tree, began_s + limit_s)
+            if by_hand:
+                self.hands.feed.take_over()
+                outcome = "cancelled", None
+            else:
+                tree = (self._build or build_tree)(command, self._toolbox)
+                outcome = yield from self._run_guarded(tree, began_s + limit_s)
+            while self.hands.wants(*outcome):
+                given = yield from self.hands.steps(command)
+                person, acted_on = {"by": PERSON, **given.evidence}, given.acted_on
+                if given.outcome is not None:
+                    outcome = given.outcome, given.failure
+                    break
+                tree = (self._build or build_tree)(command, self._toolbox)
+                outcome = yield from self._run_guarded(tree, self.now_s + limit_s)
             self._stand()
         status, failure = outcome
-        evidence = dict(tree.evidence) if tree is not None else {}
+        evidence = {**(tree.evidence if tree is not None else {}), **person}
         attempts = tree.attempts if tree is not None else 0
         self._sink(TaskEnded(self.now_s, command.text, status, attempts, failure, evidence))
         times = TaskTimes(self._planning.wall_s - planned_s, self.now_s - began_s, wall.now_s())
-        acted_on = None if tree is None else tree.acted_on
+        acted_on = acted_on or (None if tree is None else tree.acted_on)
         return TaskResult(
             command.text,
             command.action,
@@ -266,7 +300,7 @@ class Session:
             failure,
             evidence,
             times,
-            _subject(command, acted_on),
+            subject_of(command, acted_on),
             acted_on=acted_on,
             others=() if tree is None else tree.others,
         )
@@ -312,6 +346,8 @@ class Session:
                 return "failed", failure
             if (cancelled := self._cancelled()) is not None:
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, cancelled.message)
+            if self.hands.asked:
+                return "cancelled", self._halt(tree, FailureKind.CANCELED, "a person takes over")
             if self._pause.follow():
                 before_s = self.now_s
                 self._lockstep.tick()
@@ -358,12 +394,3 @@ class Session:
         """A spoken stop with nothing under way: the robot stands and holds already."""
         self._lockstep.tick()
         return "done", None
-
-
-def _subject(command: Command, acted_on: str | None) -> str:
-    """What a command is about, in words: where no noun was said, the name of what it came to be."""
-    wanted = getattr(command, "object", None)
-    has_noun = not isinstance(wanted, ObjectDescription) or bool(wanted.kind or wanted.name)
-    if acted_on is not None and (wanted is None or not has_noun):
-        return kind_of(acted_on)
-    return "" if wanted is None else str(wanted)

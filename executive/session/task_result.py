@@ -7,8 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from executive.exit_codes import ExitCode
+from executive.meaning import Command
 from executive.understanding.provenance import Provenance
+from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure, FailureKind, Number
+from trees.tasks import ObjectDescription
 
 Outcome = Literal["done", "failed", "refused", "question", "cancelled"]
 
@@ -82,6 +85,7 @@ class TaskResult:
                 "wall": round(self.times.wall_s, 4),
             },
             "evidence": dict(self.evidence),
+            **({"by": self.evidence["by"]} if "by" in self.evidence else {}),
             **provenance,
         }
 
@@ -103,3 +107,12 @@ def chain(failure: Failure | None) -> list[Failure]:
         links.append(failure)
         failure = failure.cause
     return links
+
+
+def subject_of(command: Command, acted_on: str | None) -> str:
+    """What a command is about, in words: where no noun was said, the name of what it came to be."""
+    wanted = getattr(command, "object", None)
+    has_noun = not isinstance(wanted, ObjectDescription) or bool(wanted.kind or wanted.name)
+    if acted_on is not None and (wanted is None or not has_noun):
+        return kind_of(acted_on)
+    return "" if wanted is None else str(wanted)

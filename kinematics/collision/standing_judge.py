@@ -81,6 +81,14 @@ class StandingJudge:
         """
         return self._validity.points_are_free(x[None]) and (self._legs is None or not self._legs.touches(q))
 
+    def points_are_free(self, x: Array) -> bool:
+        """Tell whether each of many postures, shape (n, size), is free whose legs stay where they are."""
+        return self._validity.points_are_free(x)
+
+    def why_not(self, x: Array) -> str | None:
+        """Why one of these, shape (size,), is not free, in words for people; None when it is."""
+        return self._validity.why_not(x)
+
     def configuration(self, x: Array) -> Array | None:
         """Configuration of a point, shape (nq,), or None when a foot cannot be kept."""
         return self._validity.configuration(x)

@@ -86,6 +86,8 @@ class TaskDocument(Published):
     failure: FailureDocument | None
     time_s: TimesDocument
     evidence: dict[str, Number]
+    by: Literal["person"] = absent()
+    """That a person had the task in hand for a while."""
     provenance: ProvenanceDocument = absent()
 
 

@@ -32,6 +32,7 @@ from tools.evaluate.front.suite import FRONT_SUITES, run_front_suite
 from tools.evaluate.fusion.suite import FUSION_SUITE, run_fusion_suite
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
+from tools.evaluate.jogging.suite import JOG_SUITES, run_jog_suite
 from tools.evaluate.live.connection import run_connection
 from tools.evaluate.live.fuzz import run_fuzz
 from tools.evaluate.live.kill import run_kill
@@ -70,6 +71,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "doors and drawers": OPENING_SUITES,
         "skills and walks": tuple(SKILL_SUITES),
         "disturbed walks": tuple(DISTURBED_SUITES),
+        "a person's hands": tuple(JOG_SUITES),
     }
 )
 SUITES = tuple(suite for suites in _SUITES_BY_SUBJECT.values() for suite in suites)
@@ -145,6 +147,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_load(options, messages)
     if options.suite in DISTURBED_SUITES:
         return run_disturbed_suite(options, messages)
+    if options.suite in JOG_SUITES:
+        return run_jog_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS

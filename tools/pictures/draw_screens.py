@@ -19,7 +19,7 @@ from executive.screens.screen import ScreenState, screen
 from trees.snapshot import NodeSnapshot, TreeSnapshot
 
 ROOT = Path(__file__).parents[2]
-PICTURES, SNAPSHOTS = ROOT / "docs" / "pictures", ROOT / "tests" / "executive" / "outputs" / "screens"
+PICTURES, SNAPSHOTS = ROOT / "docs" / "pictures", ROOT / "tests" / "executive" / "screens" / "screens"
 RECORDED = Path(__file__).with_name("screens.json")
 """What was shown in real runs, written by ``python -m tools.pictures.record_screens``."""
 

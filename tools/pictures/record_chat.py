@@ -17,10 +17,10 @@ from pathlib import Path
 from rich.console import Console
 
 from executive.chat.chat_screen import ChatView
-from executive.doors.own_robot import OwnRobot
 from executive.chat.robot_watch import RobotWatch
 from executive.chat.screen_chat import ScreenChat
 from executive.chat.talk import Talk
+from executive.doors.own_robot import OwnRobot
 from executive.screens.rows import running_step
 from robots.clock import WallClock
 

@@ -191,8 +191,11 @@ def _terminal(
     live = LiveDisplay(Console(stderr=True), place, keys)
     if not keys:
         return live, lines(live.note)
+    from executive.manual.keys import keys_for
     from executive.screens.keyboard import Keyboard
     from executive.screens.keyboard_attendant import KeyboardAttendant
+    from robots.models.description import load_description
 
     keyboard = closing.enter_context(Keyboard(sys.stdin))
-    return live, KeyboardAttendant(keyboard, live, ANSWER_TIMEOUT_S, interrupted)
+    jog_keys = keys_for(load_description(request.robot))
+    return live, KeyboardAttendant(keyboard, live, ANSWER_TIMEOUT_S, interrupted, jog_keys)

@@ -12,6 +12,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import Unsafe
 from robots.clock import WallClock
 from robots.control.events import ControlEvent
+from robots.control.hands.jogged_body import JogReport
 from robots.control.hands.yield_settings import YieldReport
 from robots.control.loop.emergency_stop import EmergencyStop
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -23,6 +24,7 @@ from robots.live.wire.errors import LiveError, ProtocolError
 from robots.live.wire.framing import FrameKind
 from robots.live.wire.messages import (
     Admit,
+    BeginJog,
     CancelMotion,
     ControlMessage,
     FinishMotion,
@@ -65,7 +67,7 @@ class AttachRefusedError(LiveError):
 Verdict = bool | Unsafe | str
 """Admitted, unsafe, or why it was not judged."""
 
-M = TypeVar("M", Start, Guarded, Lead, Walk)
+M = TypeVar("M", Start, Guarded, Lead, BeginJog, Walk)
 
 
 class ControlLink:
@@ -100,6 +102,7 @@ class ControlLink:
         self._number = 0
         self._motions: dict[int, MotionHandle] = {}
         self._felt: dict[int, Callable[[YieldReport], None]] = {}
+        self._jogged: dict[int, Callable[[JogReport], None]] = {}
         self._refusals: OrderedDict[int, Callable[[str], None]] = OrderedDict()
         self._listen: Callable[[ControlEvent], None] = lambda _event: None
         self.frame: PerceptionFrame | None = None
@@ -197,12 +200,25 @@ class ControlLink:
         message = Lead(self._next(), self.now_s, motion, world_version)
         self._say(self._begin(handle, motion, message), document)
 
+    def jog(
+        self,
+        handle: MotionHandle,
+        motion: int,
+        world_version: int,
+        document: str,
+        told: Callable[[JogReport], None],
+    ) -> None:
+        """Begin to be jogged; what holds it back is told on the way."""
+        self._jogged[motion] = told
+        message = BeginJog(self._next(), self.now_s, motion, world_version)
+        self._say(self._begin(handle, motion, message), document)
+
     def walk(self, handle: MotionHandle, motion: int, document: str) -> None:
         """Set out."""
         self._say(self._begin(handle, motion, Walk(self._next(), self.now_s, motion)), document)
 
     def steer(self, handle: MotionHandle, document: str) -> None:
-        """Go somewhere else with a walk; one that has ended is left alone."""
+        """Go somewhere else with a walk, or be jogged on; one that has ended is left alone."""
         for number in self._numbers_of(handle):
             self._say(Steer(self._next(), self.now_s, number), document)
 
@@ -316,6 +332,8 @@ class ControlLink:
                 self.scan = read_scan(message)
             case "felt":
                 self._feel(message)
+            case "jogged" if (told := self._jogged.get(message["motion"])) is not None:
+                told(JogReport(str(message["held_back"]), bool(message["moving"])))
             case "event":
                 event = event_of(message)
                 if event is not None:
@@ -357,6 +375,7 @@ class ControlLink:
         if status is not MotionStatus.RUNNING:
             del self._motions[message["motion"]]
             self._felt.pop(message["motion"], None)
+            self._jogged.pop(message["motion"], None)
             if not handle.finished:
                 handle.reason = str(message["reason"])
                 handle.met_something = bool(message.get("met_something", False))

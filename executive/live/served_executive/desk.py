@@ -16,13 +16,17 @@ from executive.live.desk_messages import (
     Cancel,
     DeskMessage,
     GetScene,
+    HandBack,
+    Jog,
     PauseTask,
     ResumeTask,
     Say,
     Script,
     ScriptLine,
+    TakeOver,
     Velocity,
 )
+from executive.manual.words import BY_HAND, ENDINGS, ByHandTask, Ending
 from executive.meaning import Parsed
 from executive.trust import Trust
 from executive.understanding.conversation import Conversation
@@ -35,14 +39,16 @@ from robots.live.wire.messages import GetStatus, read_object, strictly, write_me
 from robots.live.wire.socket_server import SocketServer
 from trees.tasks import MoveTask
 
-Said = Say | Script | Velocity
-"""What is begun as an order; a velocity is one while velocities follow it."""
+Said = Say | Script | Velocity | TakeOver
+"""What is begun as an order; a velocity is one while velocities follow it, and so is a person's jogging."""
 
 
 def name_of(said: Said) -> str:
     """What an order is called to people."""
     if isinstance(said, Velocity):
         return "velocities"
+    if isinstance(said, TakeOver):
+        return BY_HAND
     if isinstance(said, Script) or said.text:
         return said.text
     return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
@@ -62,6 +68,8 @@ def statements_of(said: Said, before: Conversation, trust: Trust) -> Iterator[St
     elif isinstance(said, Velocity):
         text = "follow the velocities that are sent"
         yield Statement(Parsed(text, (MoveTask(text, is_fed=True),)))
+    elif isinstance(said, TakeOver):
+        yield Statement(Parsed(BY_HAND, (ByHandTask(BY_HAND),)))
     elif said.text:
         understood = before.understand(said.text, trust)
         yield Statement(understood.parsed, timeout_s=said.timeout_s or None).meaning(understood)
@@ -107,6 +115,22 @@ class Attended(Protocol):
 
     def scene(self) -> Sequence[Mapping[str, Any]]:
         """What the robot believes to be around it, as JSON values."""
+        ...
+
+    def take_over(self) -> None:
+        """Let a person have the task that is under way."""
+        ...
+
+    def hear_jog(self, message: Jog) -> None:
+        """Take a word of the person who has the robot.
+
+        Raises:
+            ProtocolError: It is none of this robot's.
+        """
+        ...
+
+    def hand_back(self, ending: Ending) -> None:
+        """Take the robot back from the person."""
         ...
 
     def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
@@ -168,6 +192,7 @@ class Desk:
         self._server = SocketServer(path, self._take, self._ended)
         self._waiting: deque[Order] = deque()
         self._begun: dict[Connection, list[ScriptLine]] = {}
+        self._person: Connection | None = None
         self.current: Order | None = None
         self.question: OpenQuestion | None = None
         self.given: list[str] = []
@@ -220,6 +245,13 @@ class Desk:
             case Velocity(linear_m_s, angular_rad_s):
                 if self._begins_or_feeds(message, connection):
                     self._attended.hear_velocity(linear_m_s, angular_rad_s)
+            case TakeOver():
+                self._take_over(message, connection)
+            case Jog():
+                if connection is self._person:
+                    self._attended.hear_jog(message)
+            case HandBack(ending):
+                self._hand_back(ending, connection)
             case Say():
                 self._queue(Order(message, connection))
             case ScriptLine():
@@ -235,6 +267,27 @@ class Desk:
             return True
         connection.send(write_message("refused", reason="the robot is busy with something else"))
         return False
+
+    def _take_over(self, message: TakeOver, connection: Connection) -> None:
+        """Give what is under way into a person's hands, or begin with nothing else."""
+        if self._person is not None and self._person is not connection:
+            connection.send(write_message("refused", reason="somebody else jogs the robot"))
+            return
+        self._person = connection
+        under_way = self.current is not None
+        if under_way:
+            self._attended.take_over()
+        else:
+            self._queue(Order(message, connection))
+        connection.send(write_message("done", under_way=under_way))
+
+    def _hand_back(self, ending: str, connection: Connection) -> None:
+        known = next((one for one in ENDINGS if one == ending), None)
+        if known is None:
+            raise ProtocolError(f"hand_back: no {ending[:20]!r}; there are {', '.join(ENDINGS)}")
+        if connection is self._person:
+            self._person = None
+            self._attended.hand_back(known)
 
     def _collect(self, line: ScriptLine, connection: Connection) -> None:
         """Take one more statement of a script, and queue the script with its last one."""
@@ -264,13 +317,16 @@ class Desk:
             self._waiting.append(order)
 
     def _says_stop(self, said: Said) -> bool:
-        if isinstance(said, Velocity):
+        if isinstance(said, Velocity | TakeOver):
             return False
         texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
         return all(self._is_stop(text) for text in texts)
 
     def _ended(self, connection: Connection) -> None:
         self._begun.pop(connection, None)
+        if connection is self._person:
+            self._person = None
+            self._attended.hand_back("give_up")
         self._waiting = deque(order for order in self._waiting if order.connection is not connection)
         if self.current is not None and self.current.connection is connection:
             self._attended.cancel("who gave the task has gone")

@@ -15,24 +15,28 @@ from executive.exit_codes import ExitCode
 from executive.front.front_model import FrontModel
 from executive.front.front_talk import FrontTalk
 from executive.live.control_client.control_link import ControlLink, ControlLostError
+from executive.live.control_client.jogging_client import JoggingClient
 from executive.live.control_client.live_guard import LiveGuard
 from executive.live.control_client.live_steps import DetectorClient, LiveClock, LiveSteps, RangingClient
 from executive.live.control_client.motion_client import GripperClient, MotionClient
 from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from executive.live.desk_messages import Script
+from executive.live.desk_messages import Jog, Script, TakeOver
+from executive.live.jog_message import word_of
 from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.told_as_json import scene_json, tree_json
-from executive.meaning import StopCommand
+from executive.manual.words import BY_HAND, ByHandTask, Ending
+from executive.meaning import Command, Parsed, StopCommand
 from executive.robot_settings import robot_settings
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
 from executive.screens.display import PlainDisplay
-from executive.scripts.script_run import Said, run_statements, settle_all, verdict
+from executive.scripts.script_run import Said, failed_command, run_statements, settle_all, verdict
 from executive.session.controlled_robot import ControlledRobot, session_on
+from executive.session.driver import driven
 from executive.session.events import Event
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding.canonical_detector import CanonicalDetector
@@ -92,7 +96,8 @@ class LiveExecutive:
             LiveError: The control process does not take this process as its commander.
         """
         self._link = link = ControlLink(folder, model, connection)
-        self._record, self._trust, self._front = record, trust, front
+        self._record, self._trust, self._front, self._model = record, trust, front, model
+        self._failed: Command | None = None
         self._order: Order | None = None
         self._conversation = Conversation()
         self._account: RunAccount | None = None
@@ -118,6 +123,7 @@ class LiveExecutive:
             grippers={hand: GripperClient(link, motion, hand) for hand in model.description.grippers},
             walking=WalkingClient(link, motion),
             yielding=YieldingClient(link, motion, model, world),
+            jogging=JoggingClient(link, motion, model),
             detector=CanonicalDetector(detector, canonical_kind),
             ranging=ranging,
             planning=self._planning,
@@ -168,7 +174,7 @@ class LiveExecutive:
         current = name_of(self._order.said) if self._order is not None else None
         state = self._supervisor.lifecycle.state.value
         paused = self._session.paused
-        question = self._desk.question
+        question, feed = self._desk.question, self._session.hands.feed
         return {
             "task": current,
             "t_s": round(self._link.now_s, 3),
@@ -177,6 +183,8 @@ class LiveExecutive:
             "question": question and question_json(question),
             "tree": self._tree_json(),
             "last_tree": None if self._tree else self._last_tree,
+            "by_hand": feed.active,
+            "held_back": feed.told,
         }
 
     def _tree_json(self) -> Sequence[Mapping[str, Any]] | None:
@@ -221,6 +229,23 @@ class LiveExecutive:
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
 
+    def take_over(self) -> None:
+        """Let a person have the task that is under way."""
+        self._session.hands.feed.take_over()
+
+    def hear_jog(self, message: Jog) -> None:
+        """Take a word of the person who has the robot."""
+        feed, word = self._session.hands.feed, word_of(message, self._model)
+        feed.may_touch = message.may_touch
+        if word is None:
+            feed.brake()
+        else:
+            feed.say(word, self._link.now_s)
+
+    def hand_back(self, ending: Ending) -> None:
+        """Take the robot back from the person."""
+        self._session.hands.feed.hand_back(ending)
+
     def hear_velocity(self, linear_m_s: float, angular_rad_s: float) -> None:
         """Walk at it, while such come."""
         self._velocities.hear(linear_m_s, angular_rad_s, self._link.now_s)
@@ -228,6 +253,8 @@ class LiveExecutive:
     def _results(self, said: DeskOrder) -> list[Said]:
         """Understand all of it, then carry it out."""
         session = self._session
+        if isinstance(said, TakeOver):
+            return self._by_hand()
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
 
         def waiting() -> bool:
@@ -259,7 +286,16 @@ class LiveExecutive:
                 arriving, settle, self._note, self._now_s, lambda: request.taken(self._now_s(), self._note)
             )
             again = None if talk is None else talk.again
-            return instead or run_statements(statements, session, attendant, "ask", self._note, again)
+            results = instead or run_statements(statements, session, attendant, "ask", self._note, again)
+            self._failed = failed_command(results)
+            return results
+
+    def _by_hand(self) -> list[Said]:
+        """Let a person carry on with the task that failed last, or just jog the robot."""
+        self._steps.busy = True
+        command, self._failed = self._failed or ByHandTask(BY_HAND), None
+        result = driven(self._session.task_steps(command, by_hand=True))
+        return [(Statement(Parsed(command.text, (command,))), [result])]
 
     def _now_s(self) -> float:
         return self._link.now_s

@@ -24,6 +24,7 @@ from robots.control.gate.refusal import Refusal
 from robots.control.gate.setpoint_gate import SetpointGate
 from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.hands.gripper_control import GripperControl
+from robots.control.hands.jogging import JoggingControl
 from robots.control.hands.yielding import YieldingControl
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.loop.control_record import ControlRecord, ControlStatistics
@@ -52,6 +53,7 @@ class ControlLoop:
         motion: Starts and cancels motions.
         walking: Starts and cancels walks.
         yielding: Starts hands that yield to what they hold.
+        jogging: Starts what a person jogs.
         sensing: What the robot knows about itself.
         grippers: One control for each hand.
     """
@@ -106,6 +108,7 @@ class ControlLoop:
         self.model = model
         self.motion = self._streamer
         self.walking = self._walker
+        self.jogging = JoggingControl(model, self._streamer)
         self.yielding = YieldingControl(model, hardware.grips, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(

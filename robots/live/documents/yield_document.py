@@ -10,22 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.formats.json_reader import Node, parse_document
-from kinematics.formats.solid_document import (
-    MAX_POSITION,
-    held_json,
-    object_json,
-    optional_items,
-    read_held,
-    read_object,
-    read_pair,
-    require_unique,
-)
-from kinematics.formats.trajectory_fit import allowed_in, furnished, held_in
+from kinematics.formats.solid_document import MAX_POSITION
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
-from kinematics.scene.planning_scene import PlanningScene
 from robots.control.hands.yield_order import MANNERS, Manner, YieldOrder
+from robots.live.documents.scene_part import SCENE_KEYS, read_scene_part, scene_part
 
 _MOST_PARTS = 20
 _MOST_WAY = 10.0
@@ -42,14 +32,10 @@ def write_yield_order(order: YieldOrder, model: RobotModel) -> str:
     Raises:
         TypeError: Its path is of a kind that has no document.
     """
-    scene = order.scene
     return json.dumps(
         {
             "hand": order.hand,
-            "objects": [object_json(item) for item in scene.objects.values()],
-            "furniture": [item.name for item in scene.objects.values() if not item.movable],
-            "held": [held_json(item) for item in held_in(scene)],
-            "allowed": sorted(sorted(pair) for pair in allowed_in(scene, model)),
+            **scene_part(order.scene, model),
             "parts": list(order.parts),
             "path": _path_json(order.path),
             "s_from": order.s_from,
@@ -75,16 +61,9 @@ def read_yield_order(text: str, model: RobotModel, q: NDArray[np.float64]) -> Yi
         KinematicsError: It is none, or not of this robot; with the place and the reason.
     """
     root = parse_document(text)
-    root.only(tuple(field.name for field in dataclasses.fields(YieldOrder) if field.name != "scene") + _SCENE)
-    furniture = {item.text() for item in optional_items(root, "furniture")}
-    objects = [read_object(node) for node in optional_items(root, "objects")]
-    around = PlanningScene().with_objects(
-        dataclasses.replace(item, movable=item.name not in furniture) for item in objects
+    root.only(
+        tuple(field.name for field in dataclasses.fields(YieldOrder) if field.name != "scene") + SCENE_KEYS
     )
-    held = [read_held(node) for node in optional_items(root, "held")]
-    require_unique(root, "objects", [item.name for item in objects])
-    require_unique(root, "held", [item.name for item in held])
-    allowed = frozenset(read_pair(node) for node in optional_items(root, "allowed"))
     hands = tuple(hand for hand in HANDS if hand in model.description.grippers)
     hand: Hand = "left" if root.key("hand").choice(hands) == "left" else "right"
     manner: Manner = "gentle" if root.key("manner").choice(tuple(MANNERS)) == "gentle" else "usual"
@@ -94,7 +73,7 @@ def read_yield_order(text: str, model: RobotModel, q: NDArray[np.float64]) -> Yi
         raise holding.error(f"must be true or false, not {holding.shown()}")
     return YieldOrder(
         hand=hand,
-        scene=furnished(around, held, allowed, model, q),
+        scene=read_scene_part(root, model, q),
         parts=tuple(item.text() for item in root.key("parts").items(0, _MOST_PARTS)),
         path=_path(root.key("path")),
         s_from=root.key("s_from").number(_MOST_WAY),
@@ -104,9 +83,6 @@ def read_yield_order(text: str, model: RobotModel, q: NDArray[np.float64]) -> Yi
         holding=holding.value,
         manner=manner,
     )
-
-
-_SCENE = ("objects", "furniture", "held", "allowed")
 
 
 def _path_json(path: OpeningPath) -> dict[str, Any]:

@@ -28,6 +28,7 @@ from robots.live.wire.framing import VERSION, Frame, FrameKind
 from robots.live.wire.message_order import MAX_AGE_S, MessageOrder
 from robots.live.wire.messages import (
     Admit,
+    BeginJog,
     CancelMotion,
     ControlMessage,
     FinishMotion,
@@ -179,7 +180,7 @@ class ControlServer:
             raise ProtocolError("a message of this type has no document")
         if not self._may_command(connection, message.number, message.stamp_s):
             return
-        if isinstance(message, Admit | Lead):
+        if isinstance(message, Admit | Lead | BeginJog):
             self._world_version = max(self._world_version, message.world_version)
         wrong: str | None
         match message:
@@ -192,10 +193,14 @@ class ControlServer:
                 if (wrong := self._motions.steer(motion, document)) is not None:
                     connection.send(_refused(message.number, wrong))
                 return
-            case Lead(_, _, motion, version) if version < self._world_version:
+            case Lead(_, _, motion, version) | BeginJog(_, _, motion, version) if (
+                version < self._world_version
+            ):
                 wrong = f"stale: made for version {version} of the scene, at {self._world_version} now"
             case Lead(_, _, motion, _):
                 wrong = self._why_not(motion) or self._motions.lead(motion, document)
+            case BeginJog(_, _, motion, _):
+                wrong = self._why_not(motion) or self._motions.jog(motion, document)
             case Walk(_, _, motion):
                 wrong = self._why_not(motion) or self._motions.walk(motion, document)
         if wrong is not None:
@@ -239,7 +244,7 @@ class ControlServer:
                     self._on_offer(person)
             case Start() | Guarded():
                 self._start(connection, message)
-            case Admit() | Lead() | Walk() | Steer():
+            case Admit() | Lead() | BeginJog() | Walk() | Steer():
                 raise ProtocolError("a message of this type comes with a document")
 
     def _greet(self, connection: Connection, role: str) -> None:

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from kinematics.errors import KinematicsError
 from kinematics.model.robot_description import Hand
 from kinematics.motion.verdict import CheckedTrajectory
+from robots.control.hands.jogging import JoggingStarted
 from robots.control.hands.yielding import YieldingStarted
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.live.documents.jog_document import read_jog, read_jogging
 from robots.live.documents.steering_document import read_steering
 from robots.live.documents.yield_document import read_yield_order
 from robots.live.wire.messages import write_message
@@ -29,6 +31,7 @@ GUARDED: Mapping[str, GuardedMaker] = {
 class _Begun:
     handle: MotionHandle
     yielding: YieldingStarted | None = None
+    jogging: JoggingStarted | None = None
     walks: bool = False
 
 
@@ -82,6 +85,16 @@ class MotionDesk:
         self._begun[motion] = _Begun(started.handle, started)
         return None
 
+    def jog(self, motion: int, document: bytes) -> str | None:
+        """Begin to be jogged, in a scene that a document tells; returns why not, or None."""
+        try:
+            scene = read_jogging(document.decode("utf-8"), self._loop.model, self._loop.motion.reference())
+            started = self._loop.jogging.start(scene)
+        except Exception as wrong:
+            return _told(wrong)
+        self._begun[motion] = _Begun(started.handle, jogging=started)
+        return None
+
     def walk(self, motion: int, document: bytes) -> str | None:
         """Set out as a document says; returns why not, or None."""
         settings = self._loop.model.description.walking
@@ -95,8 +108,10 @@ class MotionDesk:
         return None
 
     def steer(self, motion: int, document: bytes) -> str | None:
-        """Go somewhere else with a walk; returns why not, or None."""
+        """Go somewhere else with a walk, or be jogged on; returns why not, or None."""
         begun, settings = self._begun.get(motion), self._loop.model.description.walking
+        if begun is not None and begun.jogging is not None:
+            return self._jog_on(begun.jogging, document)
         if begun is None or settings is None:
             return f"no walk {motion} is under way"
         try:
@@ -106,10 +121,23 @@ class MotionDesk:
         self._loop.walking.steer(begun.handle, steering)
         return None
 
+    def _jog_on(self, jogging: JoggingStarted, document: bytes) -> str | None:
+        try:
+            jog = read_jog(document.decode("utf-8"), self._loop.model)
+        except Exception as wrong:
+            return _told(wrong)
+        if jog is None:
+            jogging.brake()
+        else:
+            jogging.steer(jog)
+        return None
+
     def finish(self, motion: int) -> None:
-        """Bring a walk or a yielding hand to its end, as if it had come there by itself."""
+        """Bring a walk, a yielding hand or jogging to its end, as if it had come there by itself."""
         begun = self._begun.get(motion)
-        if begun is not None and begun.yielding is not None:
+        if begun is not None and begun.jogging is not None:
+            begun.jogging.finish()
+        elif begun is not None and begun.yielding is not None:
             begun.yielding.finish()
         elif begun is not None and begun.walks:
             self._loop.walking.finish(begun.handle)
@@ -146,6 +174,10 @@ class MotionDesk:
                 continue
             if begun.yielding is not None:
                 messages.append(_felt(number, begun.yielding))
+            if begun.jogging is not None:
+                report = begun.jogging.report
+                told = {"held_back": report.held_back, "moving": report.moving}
+                messages.append(write_message("jogged", motion=number, **told))
             messages.append(
                 motion_message(
                     number, handle.status, handle.progress, handle.reason, met_something=handle.met_something

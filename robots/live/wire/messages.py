@@ -84,6 +84,16 @@ class Lead:
 
 
 @dataclass(frozen=True, slots=True)
+class BeginJog:
+    """Begin to be jogged by a person; the head of a document frame, what is around follows."""
+
+    number: int
+    stamp_s: float
+    motion: int
+    world_version: int
+
+
+@dataclass(frozen=True, slots=True)
 class Walk:
     """Set out; the head of a document frame, where to follows."""
 
@@ -94,7 +104,7 @@ class Walk:
 
 @dataclass(frozen=True, slots=True)
 class Steer:
-    """Go somewhere else with a walk; the head of a document frame, where to follows."""
+    """Go somewhere else with a walk, or be jogged on; the head of a document frame, how follows."""
 
     number: int
     stamp_s: float
@@ -103,7 +113,7 @@ class Steer:
 
 @dataclass(frozen=True, slots=True)
 class FinishMotion:
-    """Bring a walk or a yielding hand to its end; never too late."""
+    """Bring a walk, a yielding hand or jogging to its end; never too late."""
 
     number: int
     motion: int
@@ -167,7 +177,7 @@ class Shutdown:
     """End it, once the robot is at rest."""
 
 
-Headed = Admit | Lead | Walk | Steer
+Headed = Admit | Lead | BeginJog | Walk | Steer
 """What comes with a document; as a message of its own it is none."""
 
 ControlMessage = (
@@ -193,6 +203,7 @@ _CONTROL: Mapping[str, type] = {
     "start": Start,
     "guarded": Guarded,
     "lead": Lead,
+    "jog": BeginJog,
     "walk": Walk,
     "steer": Steer,
     "finish": FinishMotion,

@@ -7,8 +7,11 @@ import termios
 import pytest
 
 from executive.dialogue.clarification import OpenQuestion
+from executive.manual.keys import JogKeys
+from executive.manual.words import JogFeed
 from executive.screens.keyboard import Keyboard
 from executive.screens.keyboard_attendant import KeyboardAttendant
+from trees.failures import Failure
 
 QUESTION = OpenQuestion("which cup?", ("red cup", "blue cup"))
 
@@ -17,10 +20,10 @@ class Typed:
     """Keys and a line that somebody typed before."""
 
     def __init__(self, keys, line=None):
-        self.keys, self.typed = list(keys), line
+        self._waiting, self.typed = list(keys), line
 
     def key(self, timeout_s=0.0):
-        return self.keys.pop(0) if self.keys else ""
+        return self._waiting.pop(0) if self._waiting else ""
 
     def line(self, timeout_s, interrupted=lambda: False):
         return None if interrupted() else self.typed
@@ -176,3 +179,63 @@ def test_a_terminal_that_has_gone_gives_no_keys_and_no_lines():
 
         assert keyboard.key() == ""
         assert keyboard.line(0.2) is None
+
+
+class Hands:
+    def __init__(self):
+        self.feed, self.offer = JogFeed(), None
+
+
+class Named(Typed):
+    """Keys by name, while somebody jogs."""
+
+    def keys(self, timeout_s=0.0):
+        return (self.named.pop(0),) if self.named else ()
+
+
+def jogging(keys, named=()):
+    typed, screen, session = Named(keys), Screen(), Session()
+    typed.__dict__["named"] = list(named)
+    screen.width, screen.shown = 80, []
+    screen.jog, screen.offer = screen.shown.append, screen.shown.append
+    session.hands, session.now_s = Hands(), 1.0
+    arms = {"right": ("one", "two"), "left": ("three",)}
+    attendant = KeyboardAttendant(typed, screen, jog_keys=JogKeys(arms))
+    attendant.begin(session)
+    return attendant, screen, session
+
+
+@pytest.mark.requirement("S10")
+def test_t_takes_over():
+    attendant, _, session = jogging("t")
+
+    attendant.attend(session)
+
+    assert session.hands.feed.asked
+
+
+@pytest.mark.requirement("S10")
+@pytest.mark.parametrize(("key", "taken"), [("t", True), ("x", False)])
+def test_after_a_failure_t_takes_over_and_any_other_key_leaves_it_so(key, taken):
+    _, screen, session = jogging(key)
+
+    assert session.hands.offer(Failure.infeasible("out of reach")) is taken
+    assert screen.shown == [True, False]
+
+
+@pytest.mark.requirement("S10")
+def test_a_person_who_has_the_robot_jogs_it_and_says_what_is_so_at_the_end():
+    attendant, screen, session = jogging("", ["up", "enter", "1"])
+    feed = session.hands.feed
+    feed.active = True
+
+    attendant.attend(session)
+    said = feed.newest.word
+    attendant.attend(session)
+    asked = screen.shown[-1]
+    attendant.attend(session)
+
+    assert said.linear_m_s[0] > 0.0
+    assert any("what is so?" in line for line in asked)
+    assert feed.ending == "held_right"
+    assert screen.shown[-1] == ()

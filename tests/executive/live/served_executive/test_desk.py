@@ -9,10 +9,13 @@ from executive.live.desk_messages import (
     Answer,
     Cancel,
     GetScene,
+    HandBack,
+    Jog,
     PauseTask,
     ResumeTask,
     Say,
     ScriptLine,
+    TakeOver,
     Velocity,
     write_desk_message,
 )
@@ -24,7 +27,7 @@ from robots.live.wire.unix_socket import connect_to
 
 class Attended:
     def __init__(self):
-        self.heard, self.paused, self.velocities = [], False, []
+        self.heard, self.paused, self.velocities, self.by_hand = [], False, [], []
 
     def cancel(self, reason):
         self.heard.append(("cancel", reason))
@@ -39,6 +42,15 @@ class Attended:
 
     def scene(self):
         return [{"name": "red cup"}]
+
+    def take_over(self):
+        self.by_hand.append("take over")
+
+    def hear_jog(self, message):
+        self.by_hand.append(message.move)
+
+    def hand_back(self, ending):
+        self.by_hand.append(ending)
 
     def hear_velocity(self, linear_m_s, angular_rad_s):
         self.velocities.append((linear_m_s, angular_rad_s))
@@ -222,3 +234,43 @@ def test_a_statement_with_a_word_that_there_is_not_ends_the_connection(person, w
 
     assert told["type"] == "error"
     assert next(iter(wrong.values())) in told["reason"]
+
+
+@pytest.mark.requirement("S10")
+def test_a_person_takes_over_what_is_under_way_says_words_and_gives_it_back(desk, attended, another):
+    worker, person = another(), another()
+    worker.says(Say("pick up the cup"))
+    desk.next_order()
+
+    (answer,) = person.says(TakeOver())
+    person.says(Jog("brake"))
+    person.says(HandBack("held_right"))
+
+    assert answer["under_way"] is True
+    assert attended.by_hand == ["take over", "brake", "held_right"]
+
+
+@pytest.mark.requirement("S10")
+def test_only_one_person_has_the_robot_and_words_of_others_are_not_heard(desk, attended, another):
+    first, second = another(), another()
+    first.says(TakeOver())
+
+    (refused,) = second.says(TakeOver())
+    second.says(Jog("brake"))
+
+    assert refused["reason"] == "somebody else jogs the robot"
+    assert attended.by_hand == []
+
+
+@pytest.mark.requirement("S10")
+def test_a_person_who_hangs_up_has_given_up(desk, attended, another):
+    worker, person = another(), another()
+    worker.says(Say("pick up the cup"))
+    desk.next_order()
+    person.says(TakeOver())
+
+    person.connection.close("")
+    for _ in range(5):
+        desk.poll()
+
+    assert attended.by_hand == ["take over", "give_up"]

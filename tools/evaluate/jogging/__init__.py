@@ -1,0 +1,1 @@
+"""Suites in which a scripted person jogs the robot by keys."""

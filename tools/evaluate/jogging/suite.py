@@ -1,0 +1,43 @@
+"""Runs the suites in which a scripted person jogs the robot."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from rich.console import Console
+
+from robots.models.description import load_description
+from tools.evaluate.jogging.pick import JogPickSummary, run_jog_pick_episode
+from tools.evaluate.jogging.random_keys import JogSummary, run_jog_episode
+from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.report import print_summary
+from tools.evaluate.workers import Run, run_all
+
+JOG_SUITES: Mapping[str, tuple[Run, Callable[..., Summary]]] = MappingProxyType(
+    {"jog": (run_jog_episode, JogSummary), "jog_pick": (run_jog_pick_episode, JogPickSummary)}
+)
+
+
+def run_jog_suite(options: argparse.Namespace, messages: Console) -> int:
+    """Run one of them; 0 when every demand is met, 1 when not, 2 for a wrong option."""
+    if options.fault or options.scene:
+        messages.print(f"error: the suite {options.suite} takes no fault and no scene", style="bold")
+        return 2
+    run, make = JOG_SUITES[options.suite]
+    orders = [EpisodeOrder(options.seed + i, options.robot) for i in range(options.episodes)]
+    records: list[EpisodeRecord] = []
+    for record in run_all(orders, options.jobs, run):
+        records.append(record)
+        said = f"{len(records)} of {len(orders)}: seed {record.seed} {record.outcome}"
+        messages.print(f"{said}{'' if record.truth else f'; {record.failure}'}", markup=False)
+    records.sort(key=lambda record: record.seed)
+    margin_m = load_description(options.robot).com_margin_m
+    summary = make(options.suite, options.seed, None, margin_m, records)
+    if options.json is not None:
+        options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
+    print_summary(summary, {}, Console())
+    return 0 if all(bar.met for bar in summary.bars()) else 1
