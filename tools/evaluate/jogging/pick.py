@@ -84,7 +84,8 @@ class Fetcher:
     def _cup(self) -> Array:
         """Where it is taken: above its middle, away from the table."""
         middle: Array = self._truth.world_T_object(TARGET)[:3, 3]
-        return middle + np.array([0.0, 0.0, _ABOVE_MIDDLE_M])
+        above: Array = middle + np.array([0.0, 0.0, _ABOVE_MIDDLE_M])
+        return above
 
     def _tcp(self) -> Array:
         return self._truth.world_T_tcp(self._hand)
