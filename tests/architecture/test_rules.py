@@ -41,6 +41,8 @@ SECRETS = ("executive.doors.mcp.serving",)
 LOCAL_SOCKETS = "robots.live.wire.unix_socket"
 # The one place that speaks over a network, to the server that a user has named.
 MODEL_CLIENT = "executive.doors.model.client"
+# Clients of this program's own MCP server, on loopback.
+MCP_CLIENTS = "tools.evaluate.mcp"
 # The one place that serves a scripted model, on loopback, for those who judge.
 SCRIPTED = "tools.evaluate.front.scripted_server"
 NETWORK = (
@@ -95,6 +97,7 @@ def wrong_library(module: Module) -> list[str]:
             found.append(f"{module.file}:{line}: {library} belongs to {' and '.join(HEAVY[library])}")
         mine = _within(module.name, (LOCAL_SOCKETS, *ELSEWHERE)) and name == "socket"
         mine |= module.name == MODEL_CLIENT and name == "httpx2"
+        mine |= _within(module.name, (MCP_CLIENTS,)) and name == "httpx2"
         mine |= module.name == SCRIPTED and _within(name, ("http.server",))
         if _within(name, NETWORK) and not mine:
             found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
