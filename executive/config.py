@@ -81,6 +81,11 @@ def crashes_directory() -> Path:
     return data_directory() / "crashes"
 
 
+def shown_directory() -> Path:
+    """Where views of things are kept that were shown to the robot."""
+    return data_directory() / "shown"
+
+
 def leave_opengl_to_the_renderer() -> None:
     """Forget ``MUJOCO_GL``: importing MuJoCo fails when it names a library that is missing, while
     pictures are drawn with whichever library is there.

@@ -51,6 +51,7 @@ class Reason(Enum):
     OUT_OF_VIEW = "what is meant is known from before, and is not in view now"
     MORE_LOOKS_NEEDED = "only looks to the sides as well can say which thing is meant"
     SEVERAL_FIT = "several things fit; a person has to say which one is meant"
+    CANNOT_SEE = "the camera gives no picture in which anything could be looked for"
     NOBODY_SEEN = "a look all around has shown no person"
     PERSON_LOST = "somebody who was followed or guided is out of sight"
     NO_FURNITURE_LEFT = "no furniture is left that was not looked at from nearby"

@@ -15,6 +15,7 @@ from executive.cli.commands import (
     check,
     doctor,
     jog,
+    learn,
     list_,
     mcp,
     parse,
@@ -94,6 +95,7 @@ app.command("check")(check.check)
 app.command("replay")(replay.replay)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
+app.command("learn")(learn.learn)
 app.command("list")(list_.list_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)

@@ -9,7 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from executive.config import chosen_config, config_files, leave_opengl_to_the_renderer
+from executive.config import (
+    chosen_config,
+    config_files,
+    leave_opengl_to_the_renderer,
+    shown_directory,
+)
 from executive.dialogue.attendant import Attendant, Nobody
 from executive.dialogue.settle_words import settled
 from executive.ending_signals import EndedBySignal, taken_by, told
@@ -34,6 +39,7 @@ from kinematics.requests.check import CheckRequest
 from robots.clock import WallClock, local_time
 from robots.models.description import load_robot_for_tasks
 from robots.outside import known_scenes
+from robots.perception.labels.labelling import Labelling
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.failures import Failure
@@ -139,6 +145,7 @@ def _header(request: RunRequest) -> dict[str, Any]:
         "on_question": request.on_question,
         "confidence": request.trust.threshold,
         "policy": request.trust.policy,
+        **({} if request.perception is None else {"perception": request.perception}),
         **({} if request.settings is None else {"says_of_itself": request.settings.to_json()}),
         **({} if request.front is None else {"model": request.front.header()}),
         **({"faults": [fault.to_json() for fault in request.faults]} if request.faults else {}),
@@ -163,8 +170,14 @@ def _write_reports(request: RunRequest, report: Report, results: Sequence[Said])
 
 def _preflight(request: RunRequest) -> SceneDescription:
     """Find what is wrong with the request before anything is built."""
-    load_robot_for_tasks(request.robot)
+    robot = load_robot_for_tasks(request.robot)
     scene = load_scene(request.scene)
+    if request.perception is not None:
+        scene = replace(scene, perception=replace(scene.perception, kind=request.perception))
+    if scene.perception.kind == "rgbd":
+        from robots.simulated.camera.camera_perception import require_camera
+
+        require_camera(robot)
     for path in (request.report, request.snapshot, request.video, request.junit):
         if path is not None:
             require_writable(path)
@@ -226,6 +239,7 @@ def _results(
         on_judged=judged,
         identity=settings.identity,
         calendar=Calendar(settings.begins or USUAL_START),
+        labelling=Labelling(shown_directory(), packages=True, words=scene.perception.labels),
     )
     plan_faults(assembly.world, request.faults)
     attendant.begin(assembly.session)

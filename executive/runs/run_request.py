@@ -40,6 +40,7 @@ class RunRequest:
         junit: Where to write a JUnit report, or None.
         faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
         front: The language model in front, or None.
+        perception: "stub" or "rgbd", whatever the scene says; None is what it says.
         settings: What the robot says of itself, and when its day begins; None is what the user's files say.
     """
 
@@ -61,3 +62,4 @@ class RunRequest:
     faults: tuple[PlannedFault, ...] = ()
     front: FrontModel | None = None
     settings: RobotSettings | None = None
+    perception: str | None = None

@@ -22,11 +22,12 @@ from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot_for_tasks
+from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.place_map import place_map
-from robots.perception.stub import PerceptionStub
 from robots.scenes.planned_fault import PlannedFault
 from robots.scenes.scene_description import SceneDescription
 from robots.seeded import Seeded
+from robots.simulated.eyes import SimulatedPerception, simulated_perception
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
@@ -52,7 +53,7 @@ class Assembly:
     world: SimulatedWorld
     session: Session
     loop: ControlLoop
-    perception: PerceptionStub
+    perception: SimulatedPerception
     planning: PlanningJobs
     model: RobotModel
     clock: ManualClock
@@ -73,6 +74,7 @@ def assemble(
     on_judged: Callable[[CheckRequest, CheckedTrajectory | Unsafe], None] = lambda _request, _answer: None,
     identity: Identity | None = None,
     calendar: Calendar | None = None,
+    labelling: Labelling = BY_SHAPE,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -92,6 +94,7 @@ def assemble(
         on_judged: Called with every motion that the checker judged, and its answer.
         identity: What the robot says of itself; nothing when left out.
         calendar: What day and time it is; when left out the usual beginning of a simulated day.
+        labelling: Who is asked, of the camera's pictures, what things are called.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -109,7 +112,16 @@ def assemble(
     world = build_world(RobotData(description, data.hardware), scene, chance.world)
 
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
-    perception = PerceptionStub(world.truth, description.camera, scene.perception, clock, chance.perception)
+    perception = simulated_perception(
+        world,
+        RobotData(description, data.hardware),
+        scene,
+        clock,
+        chance.perception,
+        loop.sensing,
+        model,
+        labelling=labelling,
+    )
 
     planning = PlanningJobs(MotionPlanner(model), TrajectoryChecker(model), clock, sink, on_judged=on_judged)
     robot_here = ControlledRobot(

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from kinematics.model.robot_description import Hand, RobotDescription
+from robots.interface.depth_camera import DepthCamera
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +118,7 @@ class Hardware:
         contact_effort_nm: By joint: more effort than a motion needs, by so much, means contact.
         walking: Of a robot that is known to walk; None for others.
         health: From when on something counts as wrong with the body.
+        cameras: Those that see colour and depth; what the first one sees is told in its frame.
     """
 
     gains: Mapping[str, ServoGains]
@@ -125,6 +127,7 @@ class Hardware:
     contact_effort_nm: Mapping[str, float] = field(default_factory=dict)
     walking: WalkingGains | None = None
     health: HealthLimits = field(default_factory=HealthLimits)
+    cameras: tuple[DepthCamera, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

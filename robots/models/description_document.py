@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 from kinematics.model.robot_description import CameraDescription, Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
+from robots.interface.depth_camera import DepthCamera
 from robots.interface.hardware import HealthLimits, SensorNoise, WalkingGains
 from robots.strict_table import AsTable, Pair, StrictTable, Text, Triple, said
 
@@ -198,3 +199,4 @@ class DescriptionDocument(StrictTable):
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
+    rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)

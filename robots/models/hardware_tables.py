@@ -47,4 +47,5 @@ def hardware_of(document: DescriptionDocument, description: RobotDescription) ->
         if gains is None
         else replace(gains, joint_acceleration=by_joint(gains.joint_acceleration)),
         health=document.health,
+        cameras=tuple(document.rgbd),
     )

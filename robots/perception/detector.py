@@ -34,6 +34,7 @@ class Detection(Sealed):
         categories: What sorts of things an object belongs to: "food".
         traits: What is seen of a person, as far as it can be told: "sitting", "waving", "red shirt".
         error: Of place and size, in the camera's frame; None when the detector declares none.
+        alike: Kinds and names that the thing may have as well, as far as can be seen.
     """
 
     category: Category
@@ -47,6 +48,7 @@ class Detection(Sealed):
     categories: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
     error: PositionError | None = None
+    alike: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +59,14 @@ class PerceptionFrame:
         stamp_s: When the picture was taken (not when it was delivered).
         sequence: Rises by one from frame to frame.
         detections: In no promised order; the same thing has no identity from frame to frame.
+        trouble: What is wrong with the picture, in words ("the picture is too dark"), when nothing could be
+            looked for in it; None else.
     """
 
     stamp_s: float
     sequence: int
     detections: tuple[Detection, ...]
+    trouble: str | None = None
 
 
 class Detector(Protocol):

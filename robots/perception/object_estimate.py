@@ -17,6 +17,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
+from robots.perception.seen_label import SeenLabel
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
 _OBJECT_GATE_M = 0.03
@@ -29,6 +30,8 @@ _HOLDS_FACTOR = 1.6
 _STANDING_TILT_RAD = 0.5
 # Detections farther from the median than this, and than three times the usual distance, do not count.
 _OUTLIER_M = 0.008
+# A name that more than so many of the frames tell is the thing's.
+_SURE_SHARE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +51,7 @@ class ObjectEstimate(Sealed):
         names, categories: Of an object, as in ``Detection``.
         traits: Of a person: those that at least half of the frames tell.
         error: Of place and size, in the odometry frame; None when the detector declares none.
+        alike: What else an object may be called, as far as at least half of the frames tell.
     """
 
     category: Category
@@ -63,10 +67,13 @@ class ObjectEstimate(Sealed):
     categories: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
     error: PositionError | None = None
+    alike: tuple[str, ...] = ()
 
     @property
     def label(self) -> Label:
-        """What it is called."""
+        """What it is called, and what it may be called as well."""
+        if self.alike:
+            return SeenLabel(self.kind, self.color, self.names, self.categories, self.traits, self.alike)
         return Label(self.kind, self.color, self.names, self.categories, self.traits)
 
     @property
@@ -78,6 +85,25 @@ class ObjectEstimate(Sealed):
     def lying(self) -> bool:
         """Whether it is tipped over; a ball never is."""
         return not isinstance(self.shape, Ball) and self.tilt_rad > _STANDING_TILT_RAD
+
+
+def _names(seen: Sequence[Detection]) -> tuple[str, ...]:
+    """What most of some detections call a thing; a name that is not sure in some frames is not sure."""
+    first = seen[0].names
+    if all(detection.names == first for detection in seen):
+        return first
+    told = Counter(detection.names for detection in seen)
+    most, count = max(told.items(), key=lambda item: (item[1], item[0]))
+    return most if count > _SURE_SHARE * len(seen) else ()
+
+
+def _alike(seen: Sequence[Detection], names: tuple[str, ...]) -> tuple[str, ...]:
+    """What at least half of some detections say that a thing may be, or is."""
+    if not any(detection.alike for detection in seen):
+        return ()
+    told = Counter(word for detection in seen for word in {*detection.alike, *detection.names})
+    often = [word for word, count in told.items() if 2 * count >= len(seen) and word not in names]
+    return tuple(sorted(often, key=lambda word: (-told[word], word)))
 
 
 @dataclass(slots=True)
@@ -102,13 +128,20 @@ class _Cluster:
     def centre(self) -> list[float]:
         return [_median(column) for column in zip(*self.positions, strict=True)]
 
+    def _may_be_called(self, detection: Detection) -> bool:
+        """Whether the names agree: of what may be something else, a frame may tell none."""
+        if detection.names == self.first.names:
+            return True
+        unsure = bool(detection.alike or self.first.alike)
+        return unsure and not (detection.names and self.first.names)
+
     def accepts(self, detection: Detection) -> bool:
         colors = {d.color for d in self.detections} - {None}
         return (
             detection.category == self.first.category
             and detection.kind == self.first.kind
             and detection.name == self.first.name
-            and detection.names == self.first.names
+            and self._may_be_called(detection)
             and type(detection.shape) is type(self.first.shape)
             and (detection.color is None or not colors or detection.color in colors)
         )
@@ -182,6 +215,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
     colors = Counter(detection.color for detection in inliers if detection.color is not None)
     seen = len(cluster.detections)
     confidence = fmean(detection.confidence for detection in inliers)
+    names = _names(inliers)
     return ObjectEstimate(
         category=cluster.first.category,
         kind=cluster.first.kind,
@@ -192,10 +226,11 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         frames_seen=seen,
         spread_m=math.hypot(*off) / math.sqrt(len(off)),
         name=cluster.first.name,
-        names=cluster.first.names,
+        names=names,
         categories=cluster.first.categories,
         traits=_traits(inliers),
         error=_error(cluster, inliers),
+        alike=_alike(inliers, names),
     )
 
 

@@ -16,10 +16,13 @@ from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
 from robots.scenes.furniture_names import own_name
+from robots.scenes.light import Light
 from robots.scenes.scene_words import ANY_LABEL, COLORS
 
 Posture = Literal["standing", "sitting", "lying"]
 POSTURES: tuple[Posture, ...] = ("standing", "sitting", "lying")
+PERCEPTION_KINDS = ("stub", "rgbd")
+"""A stub that reads the simulator's truth and spoils it, or the robot's own camera."""
 GESTURES = ("waving", "raising left arm", "raising right arm", "pointing left", "pointing right")
 """What a person may do with the arms; the sides are the person's own."""
 
@@ -35,10 +38,10 @@ class RobotStart:
 
 @dataclass(frozen=True, slots=True)
 class PerceptionModel:
-    """Declared errors of the perception stub.
+    """Which perception the robot has, and the declared errors of the stub.
 
     Attributes:
-        kind: "stub".
+        kind: "stub", or "rgbd" for what the robot's own camera shows; its errors are the robot's data.
         bias_m: Standard deviation, each axis, of an error drawn once for each solid and episode.
         noise_m: The same, drawn anew for each frame.
         orientation_noise_rad: Of the rotation vector, each axis, each frame.
@@ -132,6 +135,7 @@ class SceneItem(Sealed):
         wall_m: Thickness of walls and bottom of a box or bowl that is hollow and open at the top.
         names: What it is called besides, the usual name first.
         categories: What sorts of things it belongs to.
+        texture: File of the picture that is on it, around a can and on the sides of a box, or None.
     """
 
     name: str
@@ -144,6 +148,7 @@ class SceneItem(Sealed):
     wall_m: float | None = None
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
+    texture: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,6 +221,7 @@ class SceneDescription:
     objects: tuple[SceneItem, ...] = ()
     people: tuple[Person, ...] = ()
     places: tuple[Region, ...] = ()
+    light: Light = field(default_factory=Light)
 
 
 def told_names(name: str, kind: str, names: Iterable[str]) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag, ValidationInfo
 
 from kinematics.geometry.shapes import Ball, Box, Cylinder
+from robots.scenes.light import Light, LightChange, LightKind
 from robots.scenes.scene_description import (
     Furniture,
     MovingPart,
@@ -157,6 +158,7 @@ class _ObjectTable(StrictTable):
     board: Any = None
     position_m: Annotated[tuple[FiniteFloat, ...] | None, BeforeValidator(_position)] = None
     yaw_rad: FiniteFloat = 0.0
+    texture: Text | None = None
 
     @property
     def weighs_as(self) -> str:
@@ -270,6 +272,17 @@ AnyObject = Annotated[
 ]
 
 
+class LightTable(StrictTable):
+    """``[light]``."""
+
+    kind: LightKind = "bright"
+    change: list[Annotated[LightChange, AsTable()]] = Field(default_factory=list)
+
+    def value(self) -> Light:
+        """What it says."""
+        return Light(self.kind, tuple(self.change))
+
+
 class SceneDocument(StrictTable):
     """A scene file."""
 
@@ -279,3 +292,4 @@ class SceneDocument(StrictTable):
     person: list[Annotated[Person, AsTable(yaw_rad=0.0)]] = Field(default_factory=list)
     object: list[AnyObject] = Field(default_factory=list)
     place: list[Annotated[Region, AsTable()]] = Field(default_factory=list)
+    light: LightTable = LightTable()

@@ -17,6 +17,7 @@ from robots.errors import SceneError
 from robots.outside import known_scenes, scene_files
 from robots.scenes import furniture
 from robots.scenes.furniture import board_tops_m
+from robots.scenes.picture_file import picture_file
 from robots.scenes.scene_description import (
     Furniture,
     SceneDescription,
@@ -95,6 +96,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         objects=tuple(_item(table, pieces, source, i) for i, table in enumerate(document.object)),
         people=tuple(document.person),
         places=tuple(document.place),
+        light=document.light.value(),
     )
     validate(scene, source)
     return scene
@@ -131,6 +133,7 @@ def _item(table: ObjectTable, pieces: tuple[Furniture, ...], source: str, index:
         wall_m=wall_m,
         names=table.names,
         categories=table.categories,
+        texture=None if table.texture is None else picture_file(table.texture, shape, source, fail),
     )
 
 

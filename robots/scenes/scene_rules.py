@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.scenes import articulated, furniture
+from robots.scenes import articulated, furniture, light
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
 from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
@@ -18,6 +18,7 @@ from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m
 from robots.scenes.scene_description import (
     GESTURES,
+    PERCEPTION_KINDS,
     Furniture,
     PerceptionModel,
     Person,
@@ -97,6 +98,8 @@ def validate(scene: SceneDescription, source: str) -> None:
             rule that it breaks.
     """
     _check_perception(scene.perception, source)
+    if (dark := light.defect(scene.light)) is not None:
+        raise SceneError(source, f"light.{dark[0]}", dark[1])
     start = scene.robot_start
     for key, value in (("x_m", start.x_m), ("y_m", start.y_m), ("yaw_rad", start.yaw_rad)):
         _require(math.isfinite(value), source, f"robot_start.{key}", f"must be finite, not {value}")
@@ -140,8 +143,8 @@ def _check_person(person: Person, source: str, key: str) -> None:
 
 
 def _check_perception(model: PerceptionModel, source: str) -> None:
-    if model.kind != "stub":
-        reason = f"unknown kind {model.kind!r}; the nearest is {nearest_word(model.kind, ['stub'])!r}"
+    if model.kind not in PERCEPTION_KINDS:
+        reason = f"unknown kind {model.kind!r}; the nearest is {nearest_word(model.kind, PERCEPTION_KINDS)!r}"
         raise SceneError(source, "perception.kind", reason)
     for key in (
         "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",

@@ -8,6 +8,7 @@ from typing import Any
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.light import Light
 from robots.scenes.scene_description import Furniture, Person, SceneDescription
 
 _OF_EVERY_PART = (
@@ -33,6 +34,10 @@ def dump(scene: SceneDescription) -> str:
         "[perception]",
         *(f"{item.name} = {_toml(getattr(model, item.name))}" for item in fields(model)),
     ]
+    if scene.light != Light():
+        lines += ["", "[light]", *_pairs(kind=scene.light.kind)]
+        for change in scene.light.changes:
+            lines += ["[[light.change]]", *_pairs(at_s=change.at_s, kind=change.kind)]
     for piece in scene.furniture:
         lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
         lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
@@ -56,6 +61,8 @@ def dump(scene: SceneDescription) -> str:
         lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
         if item.wall_m is not None:
             lines += _pairs(wall_m=item.wall_m)
+        if item.texture is not None:
+            lines += _pairs(texture=item.texture)
         yaw = poses.yaw_of(item.world_T_object[:3, :3])
         lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
     return "\n".join(lines) + "\n"

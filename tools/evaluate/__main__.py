@@ -21,6 +21,8 @@ from robots.errors import RobotsError
 from robots.live.wire.faulty_connection import CONNECTION_FAULTS
 from robots.models.description import load_description
 from robots.outside import known_robots
+from robots.scenes.light import LIGHT_KINDS
+from robots.scenes.scene_description import PERCEPTION_KINDS
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
@@ -42,6 +44,8 @@ from tools.evaluate.mcp.tasks import run_mcp
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.perception.camera_faults import CAMERA_FAULTS
+from tools.evaluate.perception.suite import PERCEPTION_SUITE, run_perception
 from tools.evaluate.questions import run_question_episode
 from tools.evaluate.records import EpisodeRecord, Summary
 from tools.evaluate.replays import run_replay_episode
@@ -58,6 +62,7 @@ from tools.evaluate.workers import Run, run_all
 
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
+        "what the camera sees": (PERCEPTION_SUITE,),
         "the main job": ("pick", "question", "replay", HELD_MASS_SUITE),
         "stops and faults": ("stop", "cancel", "fault"),
         "senses that disagree": (FUSION_SUITE,),
@@ -79,6 +84,7 @@ SUITES = tuple(suite for suites in _SUITES_BY_SUBJECT.values() for suite in suit
 _FAULTS_BY_SUITE: Mapping[str, Sequence[str]] = MappingProxyType(
     {
         "pick": tuple(FAULTS),
+        "pick, seen by the camera": tuple(CAMERA_FAULTS),
         "open, close": tuple(OPENING_FAULTS),
         ", ".join(sorted(FAULTED_SUITES)): tuple(SKILL_FAULTS),
         "fault (always one of them)": tuple(BODY_FAULTS),
@@ -131,6 +137,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.json,
             messages,
         )
+    if options.suite == PERCEPTION_SUITE:
+        return run_perception(options, messages)
     if options.suite == "digests":
         return run_digests(options.check, options.record, options.jobs, options.every, messages)
     if options.suite == "soak":
@@ -152,11 +160,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS
-    if options.fault is not None and options.fault not in FAULTS and not faulted:
+    seen = options.suite == "pick" and options.fault in CAMERA_FAULTS
+    if options.fault is not None and options.fault not in FAULTS and not faulted and not seen:
         messages.print(f"error: {options.fault} is a fault of the suite 'fault'", style="bold")
         return 2
     orders = [
-        EpisodeOrder(options.seed + i, options.robot, options.fault, options.scene)
+        EpisodeOrder(
+            options.seed + i,
+            options.robot,
+            options.fault,
+            options.scene,
+            "rgbd" if seen else options.perception,
+        )
         for i in range(options.episodes)
     ]
     skill = options.suite in (*SKILL_SUITES, *_RUNS)
@@ -220,6 +235,11 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--scene", help="a scene's name or file that the random ones are made from")
     parser.add_argument(
         "--course", choices=sorted(COURSES_BY_NAME), help="of suites stop and cancel: this one alone"
+    )
+    parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="of suite pick: how the robot sees")
+    parser.add_argument("--light", choices=LIGHT_KINDS, help="of suite perception: another light than drawn")
+    parser.add_argument(
+        "--pictures", type=Path, metavar="FILE", help="of suite perception: keep the records here"
     )
     parser.add_argument("--robot", default="talos", choices=known_robots())
     parser.add_argument(

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import TaskResult, chain
 from executive.understanding.command_parser import parse
+from robots.simulated.camera.camera_perception import CameraFaults
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.perception.camera_faults import CAMERA_FAULTS, with_camera_fault
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
 from tools.evaluate.scenes import TARGET, episode_rng, episode_scene, read_episode_scene, sentence_for
@@ -24,13 +28,23 @@ def run_episode(order: EpisodeOrder) -> EpisodeRecord:
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
     scene = read_episode_scene(episode_scene(order.seed, order.fault, order.scene), order.seed)
+    if order.perception is not None:
+        scene = replace(scene, perception=replace(scene.perception, kind=order.perception))
+    if order.fault in CAMERA_FAULTS:
+        scene = with_camera_fault(scene, order.fault, TARGET, episode_rng(order.seed, 3))
     phases = PhaseWatch()
     assembly = assemble(order.robot, scene, order.seed, sink=phases.take)
     truth, session = assembly.world.truth, assembly.session
     judge = Judge(truth, TARGET)
     session.watch_periods(judge.on_period)
     state = FaultState()
-    if order.fault is not None:
+    if order.fault is not None and order.fault in CAMERA_FAULTS:
+        faults = assembly.perception.faults
+        if not isinstance(faults, CameraFaults):
+            raise TypeError(f"{order.fault} is a fault of the camera: perception must be rgbd")
+        CAMERA_FAULTS[order.fault](faults, episode_rng(order.seed, 4))
+        state.fired = True
+    elif order.fault is not None:
         rng = episode_rng(order.seed, 2)
         injector, perception = assembly.world.faults, assembly.perception
         FAULTS[order.fault](FaultBench(TARGET, scene, truth, injector, perception, phases, rng), state)

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.model.robot_description import HANDS
-from robots.perception.stub import PerceptionStub
 from robots.scenes.scene_description import SceneDescription
+from robots.simulated.eyes import SimulatedPerception
 from robots.simulated.faults.world_faults import FaultInjector
 from robots.simulated.truth.truth import SimulatorTruth
 from tools.evaluate.phases import PhaseWatch
@@ -56,7 +56,7 @@ class FaultBench:
     scene: SceneDescription
     truth: SimulatorTruth
     injector: FaultInjector
-    perception: PerceptionStub
+    perception: SimulatedPerception
     phases: PhaseWatch
     rng: np.random.Generator
 

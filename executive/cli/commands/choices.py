@@ -116,6 +116,13 @@ class PaceChoice(StrEnum):
     REAL = "real"
 
 
+class PerceptionChoice(StrEnum):
+    """How the robot sees: by a stub with declared errors, or with its own camera."""
+
+    STUB = "stub"
+    RGBD = "rgbd"
+
+
 OnQuestionOption = Annotated[
     OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
 ]

@@ -18,6 +18,7 @@ from executive.cli.commands.choices import (
     OnQuestionChoice,
     OnQuestionOption,
     PaceChoice,
+    PerceptionChoice,
     PolicyChoice,
     PolicyOption,
     RosDomainOption,
@@ -47,6 +48,10 @@ def run(
     scene: Annotated[
         str | None,
         typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
+    ] = None,
+    perception: Annotated[
+        PerceptionChoice | None,
+        typer.Option(help="How the robot sees.", show_default="what the scene says"),
     ] = None,
     seed: Annotated[
         int | None,
@@ -137,6 +142,7 @@ def run(
         script=Path(text) if is_script(text) else None,
         junit=junit,
         front=front,
+        perception=None if perception is None else perception.value,
     )
     cancellation = Cancellation()
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 
+from executive.config import shown_directory
 from executive.ending_signals import taken_by, told
 from executive.errors import UserError
 from executive.live.caller.caller import Caller
@@ -255,5 +256,6 @@ def _control_command(request: ServiceRequest) -> list[str]:
     command = [sys.executable, "-m", "robots.live.process.control_process", os.fspath(request.folder)]
     command += ["--robot", request.robot, "--scene", request.scene, "--seed", str(request.seed)]
     command += ["--pace", str(request.pace), "--supervisor", str(os.getpid())]
+    command += ["--shown", os.fspath(shown_directory())]
     command += [] if request.realtime else ["--ordinary"]
     return command + (["--evaluation"] if request.evaluation else [])

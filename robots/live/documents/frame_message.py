@@ -30,10 +30,13 @@ def write_frame(frame: PerceptionFrame) -> bytes:
             "categories": item.categories,
             "traits": item.traits,
             "error": _error_json(item.error),
+            "alike": item.alike,
         }
         for item in frame.detections
     ]
-    return write_message("frame", stamp_s=frame.stamp_s, sequence=frame.sequence, detections=seen)
+    return write_message(
+        "frame", stamp_s=frame.stamp_s, sequence=frame.sequence, detections=seen, trouble=frame.trouble
+    )
 
 
 def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
@@ -56,10 +59,17 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 categories=tuple(map(str, item["categories"])),
                 traits=tuple(map(str, item["traits"])),
                 error=_error(item.get("error")),
+                alike=tuple(map(str, item["alike"])),
             )
             for item in document["detections"]
         )
-        return PerceptionFrame(float(document["stamp_s"]), int(document["sequence"]), seen)
+        trouble = document["trouble"]
+        return PerceptionFrame(
+            float(document["stamp_s"]),
+            int(document["sequence"]),
+            seen,
+            None if trouble is None else str(trouble),
+        )
     except (KeyError, TypeError, ValueError) as wrong:
         raise ProtocolError(f"a frame that is none: {wrong!r}") from None
 

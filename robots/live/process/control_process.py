@@ -39,9 +39,10 @@ from robots.live.wire.child_process import ChildProcess
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotWriter
 from robots.models.description import load_robot_for_tasks
-from robots.perception.stub import PerceptionStub
+from robots.perception.labels.labelling import Labelling
 from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
+from robots.simulated.eyes import simulated_perception
 from robots.simulated.world import SimulatedWorld, build_world
 
 PUBLISH_EVERY = 5
@@ -67,6 +68,7 @@ class ControlOptions:
         realtime: Whether to ask for real-time scheduling; used only where it is permitted.
         evaluation: Whether evaluations may read the simulator's truth.
         supervisor: Process that started this one and replaces executives that end; None when none does.
+        shown: Folder of things that were shown; None for none.
     """
 
     folder: Path
@@ -77,6 +79,7 @@ class ControlOptions:
     realtime: bool = True
     evaluation: bool = False
     supervisor: int | None = None
+    shown: Path | None = None
 
 
 class ControlProcess:
@@ -101,8 +104,16 @@ class ControlProcess:
         self._world: SimulatedWorld = build_world(robot, scene, chance.world)
         self._server: ControlServer | None = None
         self._loop = ControlLoop(self._world.robot, model, self._clock, self._note, PERIOD_S)
-        self._perception = PerceptionStub(
-            self._world.truth, description.camera, scene.perception, self._clock, chance.perception
+        self._perception = simulated_perception(
+            self._world,
+            robot,
+            scene,
+            self._clock,
+            chance.perception,
+            self._loop.sensing,
+            model,
+            waits=False,
+            labelling=Labelling(options.shown, packages=True, words=scene.perception.labels),
         )
         self._pacer = Pacer(WallClock(), PERIOD_S, options.pace)
         self._layout = ReportLayout(model)
@@ -271,6 +282,7 @@ def main() -> int:
     parser.add_argument("--ordinary", action="store_true", help="do not ask for real-time scheduling")
     parser.add_argument("--evaluation", action="store_true")
     parser.add_argument("--supervisor", type=int, help="process that replaces executives that end")
+    parser.add_argument("--shown", type=Path, help="folder of things that were shown")
     asked = parser.parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
@@ -284,6 +296,7 @@ def main() -> int:
                 not asked.ordinary,
                 asked.evaluation,
                 asked.supervisor,
+                asked.shown,
             )
         )
     except (RobotsError, KinematicsError, OSError) as wrong:

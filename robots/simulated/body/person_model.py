@@ -31,7 +31,7 @@ FINGER_DAMPING = 150.0
 """N s/m: fingers that pinch with 22 N close at 0.15 m/s. Without it they clapped together at 5 m/s, and a
 can flew off with thousands of newtons."""
 _Point = tuple[float, float, float]
-_SKIN, _CLOTH = [0.85, 0.68, 0.55, 1.0], [0.30, 0.45, 0.60, 1.0]
+SKIN, _CLOTH = [0.85, 0.68, 0.55, 1.0], [0.30, 0.45, 0.60, 1.0]
 _CAPSULES = (
     (0.08, (0.0, 0.10, 0.08), (0.0, 0.09, 0.85)),
     (0.08, (0.0, -0.10, 0.08), (0.0, -0.09, 0.85)),
@@ -42,7 +42,7 @@ _CAPSULES = (
 _LEGS = 2
 """The first capsules of a body are its legs, the next its trunk, the last two its left and right arm."""
 _ELBOW_M = _CAPSULES[-1][2]
-_HEAD_M = (0.0, 0.0, 1.62)
+HEAD_M = (0.0, 0.0, 1.62)
 _SEAT_M = (-0.17, 0.0, -0.45)
 """From the trunk of who stands to that of who sits, about the middle of the solid."""
 _RAISED_M = (0.12, 0.20, 1.66)
@@ -78,13 +78,13 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
     body.pos, body.quat = pose[:3, 3], [w, x, y, z]
     if person.walks:
         body.mocap = True
-    for i, (radius, start, end) in enumerate(_limbs(person)):
+    for i, (radius, start, end) in enumerate(limbs(person)):
         geom = body.add_geom(
             name=in_simulator(f"{person.name}/{i}"),
             type=mujoco.mjtGeom.mjGEOM_CAPSULE,
             size=[radius, 0.0, 0.0],
             fromto=[*start, *end],
-            rgba=_worn(person, legs=i < _legs(person)),
+            rgba=worn(person, legs=i < _legs(person)),
             group=WORLD_GROUP,
         )
         set_role(geom, Role.PERSON)
@@ -92,8 +92,8 @@ def add_person(spec: mujoco.MjSpec, person: Person) -> None:
         name=in_simulator(f"{person.name}/head"),
         type=mujoco.mjtGeom.mjGEOM_SPHERE,
         size=[0.11, 0.0, 0.0],
-        pos=list(_posed(person, _HEAD_M)),
-        rgba=_SKIN,
+        pos=list(posed(person, HEAD_M)),
+        rgba=SKIN,
         group=WORLD_GROUP,
     )
     set_role(head, Role.PERSON)
@@ -106,32 +106,32 @@ def has_hand(person: Person) -> bool:
     return person.posture == "standing" and not person.walks
 
 
-def _limbs(person: Person) -> list[tuple[float, _Point, _Point]]:
+def limbs(person: Person) -> list[tuple[float, _Point, _Point]]:
     """The capsules of a body, in the person's frame: radius and both ends."""
-    limbs = [(radius, start, end) for radius, start, end in _CAPSULES]
+    standing = [(radius, start, end) for radius, start, end in _CAPSULES]
     for side, index in (("left", -2), ("right", -1)):
         sign = 1.0 if side == "left" else -1.0
         raised = person.gesture in (f"raising {side} arm", "waving" if side == "left" else None)
         if raised or person.gesture == f"pointing {side}":
             x, y, z = _RAISED_M if raised else _POINTING_M
-            limbs[index] = (limbs[index][0], limbs[index][1], (x, sign * y, z))
-    posed = [(radius, _posed(person, start), _posed(person, end)) for radius, start, end in limbs]
+            standing[index] = (standing[index][0], standing[index][1], (x, sign * y, z))
+    bodies = [(radius, posed(person, start), posed(person, end)) for radius, start, end in standing]
     if person.posture != "sitting":
-        return posed
+        return bodies
     back, knee = _SEAT_M[0], _SEAT_M[0] + 0.40
     legs = [
         (0.08, (at[0], y, at[1]), (knee, y, 0.50))
         for at in ((back, 0.50), (knee, 0.08))
         for y in (0.09, -0.09)
     ]
-    return [*legs, *posed[_LEGS:]]
+    return [*legs, *bodies[_LEGS:]]
 
 
 def _legs(person: Person) -> int:
     return 2 * _LEGS if person.posture == "sitting" else _LEGS
 
 
-def _posed(person: Person, point: _Point) -> _Point:
+def posed(person: Person, point: _Point) -> _Point:
     """A point of who stands, where it is in the posture of the person."""
     x, y, z = point
     match person.posture:
@@ -143,7 +143,7 @@ def _posed(person: Person, point: _Point) -> _Point:
             return point
 
 
-def _worn(person: Person, *, legs: bool) -> list[float]:
+def worn(person: Person, *, legs: bool) -> list[float]:
     """The colour of what covers legs or trunk."""
     for one in person.clothes:
         color, _, garment = one.partition(" ")
@@ -165,7 +165,12 @@ def draw_forearms(
         geom = scene.geoms[scene.ngeom]
         capsule = mujoco.mjtGeom.mjGEOM_CAPSULE
         mujoco.mjv_initGeom(
-            geom, capsule, np.zeros(3), np.zeros(3), np.zeros(9), np.array(_CLOTH, np.float32)
+            geom,
+            capsule,
+            np.zeros(3),
+            np.zeros(3),
+            np.zeros(9),
+            np.array(worn(person, legs=False), np.float32),
         )
         mujoco.mjv_connector(geom, capsule, _FOREARM_RADIUS_M, elbow[:3], palm)
         scene.ngeom += 1
@@ -197,7 +202,7 @@ def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
         size=[0.035, 0.0, 0.0],
         pos=[-_PALM_BEHIND_M, 0.0, 0.0],
         mass=0.5,
-        rgba=_SKIN,
+        rgba=SKIN,
         group=WORLD_GROUP,
     )
     set_role(palm, Role.NONE)
@@ -216,7 +221,7 @@ def _add_hand(spec: mujoco.MjSpec, person: Person) -> None:
             type=mujoco.mjtGeom.mjGEOM_BOX,
             size=list(PAD_HALF_SIZE_M),
             mass=0.05,
-            rgba=_SKIN,
+            rgba=SKIN,
             condim=4,
             friction=[PAD_FRICTION, 0.02, 0.0001],
             solref=list(PAD_SOLREF),

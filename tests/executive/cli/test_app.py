@@ -120,6 +120,17 @@ def test_pictures_without_opengl_are_refused_before_anything_moves(executive, tm
     assert "OpenGL" in one_line(result)
 
 
+def test_seeing_with_the_camera_without_opengl_is_refused_before_anything_moves(executive, monkeypatch):
+    from robots.simulated.pictures import opengl
+
+    monkeypatch.setattr(opengl, "_library", lambda name: None)
+
+    result = executive("run", "go home", "--quiet", "--perception", "rgbd")
+
+    assert result.exit_code == 2
+    assert "libegl1" in one_line(result)
+
+
 @pytest.mark.requirement("S9", "U1")
 def test_a_run_tells_its_result_and_writes_a_report_of_the_published_form(executive, tmp_path):
     report = tmp_path / "report.json"

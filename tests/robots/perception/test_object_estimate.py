@@ -190,3 +190,20 @@ def test_one_thing_that_is_named_in_two_ways_is_one():
     (seen,) = fuse_frames(views(*frames))
 
     assert seen.kind == "cup"
+
+
+def test_a_name_that_few_frames_are_sure_of_is_what_a_thing_may_be():
+    frames = [
+        (np.eye(4), PerceptionFrame(0.1 * k, k, (_unsure(names, alike),)))
+        for k, (names, alike) in enumerate([((), ("soup",)), (("soup",), ()), ((), ("soup",))])
+    ]
+
+    (estimate,) = fuse_frames(frames)
+
+    assert (estimate.names, estimate.alike) == ((), ("soup",))
+    assert estimate.label.alike == ("soup",)
+
+
+def _unsure(names, alike):
+    pose = poses.translation(0.0, 0.0, 1.0)
+    return Detection("object", "can", "red", pose, Cylinder(0.03, 0.1), 0.9, names=names, alike=alike)

@@ -7,8 +7,9 @@ leads to a question among those that fit otherwise.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from kinematics.geometry import poses
 from robots.scenes.furniture_names import kind_called
@@ -179,9 +180,18 @@ def _counted(wanted: ObjectDescription, fitting: list[BelievedThing], count: Cou
         return Missing(f"only {len(names)} {noun} in view, not {count}", True)
     if count == 1 and len(names) > 1:
         return Ambiguous(f"which {noun}? there are {len(names)}", choices_among(fitting))
-    by_sort = called_by(wanted.kind, nearest[0].label) is CalledBy.CATEGORY
-    said = f"the {nearest[0].words} is the only {noun} that I see" if by_sort and count == 1 else ""
+    by = called_by(wanted.kind, nearest[0].label)
+    said = _TAKEN_AS[by].format(nearest[0].words, noun) if by in _TAKEN_AS and count == 1 else ""
     return Found(names[:count], said)
+
+
+_TAKEN_AS: Mapping[CalledBy | None, str] = MappingProxyType(
+    {
+        CalledBy.CATEGORY: "the {} is the only {} that I see",
+        CalledBy.LIKE: "the {} looks as if it might be the {}",
+    }
+)
+"""Why something else is taken than what was said, by how it is called."""
 
 
 def choices_among(things: Sequence[BelievedThing]) -> tuple[Choice, ...]:

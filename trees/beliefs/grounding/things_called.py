@@ -26,7 +26,7 @@ def things_called(
 
     Raises:
         NoneFitsError: There is none.
-        UntellableError: Something bears only the last of the words that were said.
+        UntellableError: Something may be called so, or bears only the last of the words that were said.
     """
     by = {
         thing.name: rank
@@ -38,11 +38,20 @@ def things_called(
     if rank is None:
         held = [name for name, label in around.held.items() if is_like(wanted, label)]
         raise NoneFitsError(f"the {kind_of(held[0])} is in the hand" if held else f"no {wanted} seen", False)
-    last = max(rank, CalledBy.CATEGORY) if several and rank is not CalledBy.HEAD else rank
+    last = max(rank, CalledBy.CATEGORY) if several and rank < CalledBy.LIKE else rank
     fitting = [thing for thing in around.objects if by.get(thing.name, CalledBy.HEAD + 1) <= last]
+    if rank is CalledBy.MAYBE:
+        raise UntellableError(_may_be_it(str(wanted), fitting), fitting)
     if rank is CalledBy.HEAD:
         raise UntellableError(_is_it(str(wanted), fitting), fitting)
     return fitting
+
+
+def _may_be_it(noun: str, alike: Sequence[BelievedThing]) -> str:
+    """The question whether something is what it may be."""
+    if len(alike) > 1:
+        return f"I am not sure which of these is the {noun}: which one?"
+    return f"I am not sure: is the {alike[0].words} the {noun}?"
 
 
 def _is_it(noun: str, alike: Sequence[BelievedThing]) -> str:

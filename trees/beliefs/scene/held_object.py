@@ -55,4 +55,4 @@ def fits(item: SceneObject, wanted: Thing | None) -> bool:
 def is_like(wanted: ObjectDescription, label: Label) -> bool:
     """Whether what is called so is of the kind and colour that is meant."""
     by = called_by(wanted.kind, label)
-    return by is not None and by is not CalledBy.HEAD and wanted.color in (None, label.color)
+    return by is not None and by < CalledBy.MAYBE and wanted.color in (None, label.color)

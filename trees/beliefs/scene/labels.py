@@ -7,7 +7,8 @@ from enum import IntEnum
 
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import SceneObject
-from robots.scenes.scene_words import COLORS
+from robots.perception.seen_label import SeenLabel
+from robots.scenes.scene_words import COLORS, OBJECT_KINDS
 from trees.beliefs.scene.scene_update import kind_of
 
 
@@ -34,6 +35,8 @@ class CalledBy(IntEnum):
         NAME: By a name of its own: "tomato soup", "tomato soup can".
         KIND: By its kind, or the last word of its name: "can", "soup".
         CATEGORY: By what sort of thing it is: "food".
+        LIKE: By a kind that it may be as well: a can, where cups look much the same.
+        MAYBE: By a name that it may have, and nobody is sure of. Only a person knows.
         HEAD: By the last words alone of what was said, which said more: "can" of "paint can". Only a person
             knows whether that one is meant.
     """
@@ -41,7 +44,9 @@ class CalledBy(IntEnum):
     NAME = 0
     KIND = 1
     CATEGORY = 2
-    HEAD = 3
+    LIKE = 3
+    MAYBE = 4
+    HEAD = 5
 
 
 def called_by(said: str | None, label: Label) -> CalledBy | None:
@@ -61,6 +66,12 @@ def called_by(said: str | None, label: Label) -> CalledBy | None:
         return CalledBy.KIND
     if words in categories:
         return CalledBy.CATEGORY
+    if isinstance(label, SeenLabel):
+        alike = tuple(map(plain, label.alike))
+        if words in OBJECT_KINDS and words in alike:
+            return CalledBy.LIKE
+        if words in alike or any(_ends(name, words) for name in alike) or _is_joined(words, alike, (kind,)):
+            return CalledBy.MAYBE
     heads = (kind, *names, *categories)
     return CalledBy.HEAD if any(_ends(words, head) for head in heads) else None
 

@@ -7,11 +7,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.geometry.shapes import Box
+from kinematics.geometry.shapes import Box, Shape
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.policy import TreePolicy
+
+_SAME_PLACE = 0.5
+"""Two whose middles are nearer than this share of the wider one's width are at one place."""
+_SURE = 0.6
+"""A sighting with less confidence does not do away with what is known."""
+_STACKED = 0.4
+"""Of both heights: middles farther apart than this are one above the other."""
+_HOLDS, _HOLDS_M = 1.0, 0.05
+"""What is wider than this share of a thing, and so much more, could hold it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +75,8 @@ def updated_scene(
             is called so is numbered from 2 on ("floor 2").
     """
     groups: dict[str, list[ObjectEstimate]] = {}
-    for estimate in estimates:
+    seen_now = [estimate for estimate in estimates if not _contradicts_unsurely(estimate, scene)]
+    for estimate in seen_now:
         groups.setdefault(words_for(estimate), []).append(estimate)
     objects: dict[str, SceneObject] = {}
     seen: dict[str, ObjectEstimate] = {}
@@ -81,7 +91,8 @@ def updated_scene(
             if name in matched:
                 continue
             moved = bool(strangers) and (may_have_moved or is_name(name))
-            stays = not moved and could_be_unseen(item) if item.movable else not (moved and is_name(name))
+            hidden = not moved and could_be_unseen(item) and not _place_taken(item, seen_now)
+            stays = hidden if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached, *reserved}
@@ -93,6 +104,41 @@ def updated_scene(
             objects[name] = scene_object(name, estimate, policy)
             seen[name] = estimate
     return SceneUpdate(scene.with_objects(objects.values()), seen)
+
+
+def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene) -> bool:
+    """Whether an unsure sighting is where something is known to be that is called otherwise.
+
+    Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box.
+    """
+    if estimate.category != "object" or estimate.confidence >= _SURE:
+        return False
+    return any(
+        item.movable and kind_of(name) != words_for(estimate) and _same_place(item, estimate)
+        for name, item in scene.objects.items()
+    )
+
+
+def _place_taken(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
+    """Whether something is seen where a thing was believed to be: two are never at one place."""
+    return any(estimate.category == "object" and _same_place(item, estimate) for estimate in seen)
+
+
+def _same_place(item: SceneObject, estimate: ObjectEstimate) -> bool:
+    """Whether a thing and a sighting are of one place.
+
+    A sighting of what is so much wider that it could hold the thing is another matter, and so is what is
+    below or above it.
+    """
+    width, other = _width_m(item.shape), _width_m(estimate.shape)
+    away = item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]
+    beside = float(np.hypot(away[0], away[1])) > _SAME_PLACE * max(width, other)
+    stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
+    return not beside and not stacked and other < _HOLDS * width + _HOLDS_M
+
+
+def _width_m(shape: Shape) -> float:
+    return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
 
 
 def _match(

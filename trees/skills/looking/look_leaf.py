@@ -12,11 +12,14 @@ from robots.perception.detector import Detector, PerceptionFrame
 from robots.perception.fusion.cameras import HEAD, Seen, seen_by_all
 from robots.perception.fusion.frame_watch import Fault, FrameWatch
 from robots.perception.object_estimate import ObjectEstimate, fuse_frames
-from trees.failures import Failure, Reason
+from trees.failures import Failure, FailureKind, Reason
 from trees.nodes.leaf import RUNNING, Leaf
 from trees.readings.disagreement import tell_disagreement
 
 _REASONS = {Fault.FROZEN: Reason.FRAMES_FROZEN, Fault.STALE: Reason.FRAMES_STALE}
+
+_BAD_S = 0.35
+"""When every picture has been bad for so long, the camera is; with its latency that is half a second."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +44,8 @@ class GatheringLeaf(Leaf):
     """
 
     _views: list[View]
+    _trouble: PerceptionFrame | None
+    _well_s: float
 
     def begin(self) -> None:
         """Forget earlier frames."""
@@ -49,6 +54,15 @@ class GatheringLeaf(Leaf):
         self._placed: dict[str, list[View]] = {camera.name: [] for camera in self.toolbox.cameras}
         self._watches = {name: FrameWatch(now_s) for name in (HEAD, *self._placed)}
         self._faults: dict[str, Failure] = {}
+        self._trouble, self._well_s = None, self._started_s
+
+    @property
+    def trouble(self) -> str | None:
+        """What has been wrong with every picture for too long; None while there are good ones."""
+        frame = self._trouble
+        if frame is None or frame.stamp_s - self._well_s < _BAD_S:
+            return None
+        return frame.trouble
 
     def gather(self) -> None:
         """Take the newest frame of each camera if it is one that we have not got, and it tells of now."""
@@ -70,7 +84,15 @@ class GatheringLeaf(Leaf):
             return None
         if frame is None or frame.stamp_s < self._started_s:
             return None
-        return None if views and frame.sequence <= views[-1].frame.sequence else frame
+        if views and frame.sequence <= views[-1].frame.sequence:
+            return None
+        if source != HEAD:
+            return None if frame.trouble is not None else frame
+        if frame.trouble is not None:
+            self._trouble = frame
+            return None
+        self._trouble, self._well_s = None, frame.stamp_s
+        return frame
 
     def _note(self, source: str, fault: Fault) -> None:
         """Tell what is wrong with a camera, once; the look goes on, for it may come back."""
@@ -96,6 +118,10 @@ class LookLeaf(GatheringLeaf):
     def step(self) -> Status | Failure:
         """Gather until there are enough: of the robot's own camera, or of another one when that hangs."""
         self.gather()
+        if (trouble := self.trouble) is not None:
+            return Failure(FailureKind.EXECUTION, f"the robot cannot see: {trouble}").because(
+                Reason.CANNOT_SEE
+            )
         wanted = self.toolbox.policy.look_frames
         others = [view for views in self._placed.values() for view in views]
         if len(self._views) >= wanted:

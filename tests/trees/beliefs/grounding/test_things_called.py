@@ -7,6 +7,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.perception.seen_label import SeenLabel
 from trees.beliefs.grounding.destination import person_meant
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground
 from trees.beliefs.scene.believed_thing import surroundings
@@ -123,3 +124,34 @@ def test_somebody_whom_nobody_is_like_is_not_taken_for_another():
     wanted = ObjectDescription("person", traits=("lying",))
 
     assert person_meant(wanted, people(Ana=("sitting",))) == Missing("no person who is lying seen", True)
+
+
+LIKE_CUP = SeenLabel("can", "blue", alike=("cup",))
+MAYBE_SOUP = SeenLabel("can", "blue", alike=("tomato soup",))
+
+
+def test_what_looks_like_it_is_taken_and_told_where_there_is_no_other():
+    found = ground(ObjectDescription("cup"), around(thing=LIKE_CUP, soup=SOUP))
+
+    assert isinstance(found, Found)
+    assert (found.names, found.because) == (("thing",), "the blue can looks as if it might be the cup")
+
+
+def test_of_several_that_look_like_it_a_person_says_which():
+    found = ground(ObjectDescription("cup"), around(one=LIKE_CUP, other=LIKE_CUP))
+
+    assert isinstance(found, Ambiguous)
+
+
+def test_what_is_one_goes_before_what_looks_like_one():
+    found = ground(ObjectDescription("cup"), around(cup=Label("cup", "red"), thing=LIKE_CUP))
+
+    assert isinstance(found, Found)
+    assert found.names == ("cup",)
+
+
+def test_a_name_that_nobody_is_sure_of_is_asked_about():
+    found = ground(ObjectDescription("tomato soup"), around(thing=MAYBE_SOUP))
+
+    assert isinstance(found, Ambiguous)
+    assert found.message == "I am not sure: is the blue can the tomato soup?"

@@ -181,3 +181,34 @@ def test_people_without_names_are_told_apart_while_the_head_looks_around():
     second = updated_scene(first.scene, later, POLICY, lambda _: False, may_have_moved=False)
 
     assert set(second.scene.objects) == {"person", "person 2"}
+
+
+def test_what_is_out_of_sight_is_forgotten_where_something_else_is_seen_now():
+    """An earlier look took the edge of the cup for a box: two things are never at one place."""
+    before = look(PlanningScene(), seen("box", at=(0.51, 0.01, 0.95), shape=Box((0.02, 0.03, 0.1)))).scene
+
+    scene = look(before, seen("cup"), unseen=lambda item: True).scene
+
+    assert set(scene.objects) == {"red cup"}
+
+
+def test_what_is_out_of_sight_stays_in_the_bowl_that_is_seen_and_on_the_box_that_is():
+    ball = seen("ball", "green", at=(0.5, 0.0, 0.95), shape=Ball(0.02))
+    can = seen("can", "blue", at=(0.2, 0.0, 1.06), shape=Cylinder(0.03, 0.1))
+    before = look(PlanningScene(), ball, can).scene
+    bowl = seen("bowl", "white", at=(0.5, 0.0, 0.94), shape=Cylinder(0.08, 0.07))
+    box = seen("box", "white", at=(0.2, 0.0, 0.96), shape=Box((0.08, 0.08, 0.1)))
+
+    scene = look(before, bowl, box, unseen=lambda item: True).scene
+
+    assert {"green ball", "blue can"} <= set(scene.objects)
+
+
+def test_what_is_known_is_not_replaced_by_something_else_that_is_told_unsurely():
+    """Half of a cup, the other half behind a hand, looks like a box."""
+    before = look(PlanningScene(), seen("cup")).scene
+    half = replace(seen("box", at=(0.51, 0.01, 0.95), shape=Box((0.03, 0.05, 0.11))), confidence=0.3)
+
+    scene = look(before, half, unseen=lambda item: True).scene
+
+    assert set(scene.objects) == {"red cup"}

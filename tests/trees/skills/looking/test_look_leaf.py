@@ -199,3 +199,38 @@ def test_where_the_other_camera_hangs_a_look_goes_on_with_the_robots_own(two_cam
 
     assert two_cameras.run(leaf) is Status.SUCCESS
     assert leaf.views[-1].source == HEAD
+
+
+def test_a_look_says_what_is_wrong_with_the_camera_within_half_a_second(stage, monkeypatch):
+    detector = stage.fake.detector
+    fresh = detector.latest
+
+    def troubled():
+        frame = fresh()
+        return None if frame is None else replace(frame, detections=(), trouble="the picture is too dark")
+
+    monkeypatch.setattr(detector, "latest", troubled)
+    leaf = Look("look", stage.toolbox)
+    start_s = stage.fake.clock.now_s()
+
+    assert stage.run(leaf) is Status.FAILURE
+    assert leaf.failure.reason is Reason.CANNOT_SEE
+    assert "the picture is too dark" in leaf.failure.message
+    assert stage.fake.clock.now_s() - start_s < 0.7
+
+
+def test_a_picture_with_something_wrong_is_no_look_at_nothing(stage, monkeypatch):
+    """Things that it does not show have not gone."""
+    detector = stage.fake.detector
+    fresh = detector.latest
+
+    def flickering():
+        frame = fresh()
+        bad = frame is not None and frame.sequence % 2 == 0
+        return replace(frame, detections=(), trouble="the picture is outshone") if bad else frame
+
+    monkeypatch.setattr(detector, "latest", flickering)
+    leaf = Look("look", stage.toolbox)
+
+    assert stage.run(leaf) is Status.SUCCESS
+    assert all(view.frame.trouble is None for view in leaf.views)

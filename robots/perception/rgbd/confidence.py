@@ -1,0 +1,107 @@
+"""How likely a thing is there, is what it is called, and is where it is told to be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.arrays import Array
+from robots.perception.rgbd.labels import Call
+from robots.perception.rgbd.samples import Samples
+from robots.perception.rgbd.shapes import Solid
+
+FEATURES = (
+    "fit",
+    "margin",
+    "hidden",
+    "border",
+    "pixels",
+    "color off",
+    "lifted",
+    "uncertain",
+    "color",
+    "kind",
+)
+RIGHT = (-2.852, -0.768, 0.046, -6.193, -6.193, 1.489, -0.218, -1.117, 0.0, 1.085, 0.0)
+"""Of a logistic regression on random scenes of whether a thing is as it is told and where; first the
+constant, then the features in their order."""
+THERE = (2.463, -0.62, -0.104, -2.955, -2.955, 1.563, 0.0, -0.919, 0.0, 0.0, 0.0)
+"""The same of whether there is a thing at all."""
+_SURE_M = 0.001
+_MOST_ODDS = 4.0
+
+
+def evidence_of(
+    solid: Solid, pixels: int, color_off: float, color_share: float, kind_score: float
+) -> tuple[float, ...]:
+    """What speaks for and against one thing, in the order of ``FEATURES``.
+
+    Args:
+        solid: Its shape.
+        pixels: How many show it.
+        color_off: How far its colour is from the nearest name's, squared, in deviations.
+        color_share: How likely that name is among all.
+        kind_score: How sure its kind is.
+    """
+    return (
+        min(solid.score, 8.0),
+        min(solid.margin, 4.0),
+        min(solid.hidden, 0.5),
+        min(solid.border, 0.5),
+        float(np.log(max(pixels, 1) / 500.0)),
+        min(color_off, 25.0) ** 0.5,
+        1.0 if solid.lifted_m > 0.0 else 0.0,
+        float(np.log(min(max(max(solid.sigma_m) / _SURE_M, 1.0), 50.0))),
+        _odds(color_share),
+        _odds(kind_score),
+    )
+
+
+def _odds(share: float) -> float:
+    """Logarithm of the odds, within reason."""
+    return float(np.clip(np.log(max(share, 1e-6) / max(1.0 - share, 1e-6)), -_MOST_ODDS, _MOST_ODDS))
+
+
+@dataclass(frozen=True, slots=True)
+class Belief:
+    """How sure things are.
+
+    Attributes:
+        right: How likely each is as it is told: there, of that kind and colour, and where; in [0, 1],
+            shape (k,).
+        there: How likely there is a thing at all, shape (k,).
+        evidence: What both were made of, shape (k, features).
+    """
+
+    right: Array
+    there: Array
+    evidence: Array
+
+
+def confidences(
+    samples: Samples, solids: Sequence[Solid], calls: Sequence[Call], shares: Array, off: Array
+) -> Belief:
+    """How sure some things are.
+
+    Args:
+        samples: What was measured of them.
+        solids, calls: What they are taken for.
+        shares: How likely the name of each one's colour is.
+        off: How far its colour is from that name's, squared, in deviations.
+    """
+    evidence = np.array(
+        [
+            evidence_of(solid, int(pixels), float(away), float(share), call.score)
+            for solid, call, pixels, away, share in zip(
+                solids, calls, samples.pixels, off, shares, strict=True
+            )
+        ]
+    )
+    return Belief(_likely(RIGHT, evidence), _likely(THERE, evidence), evidence)
+
+
+def _likely(weights: tuple[float, ...], evidence: Array) -> Array:
+    odds = weights[0] + evidence @ np.array(weights[1:])
+    return np.asarray(1.0 / (1.0 + np.exp(-np.clip(odds, -30.0, 30.0))))

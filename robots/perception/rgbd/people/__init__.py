@@ -1,0 +1,1 @@
+"""People in a picture: where they are, how they are, what their arms do, and the colours that they wear."""

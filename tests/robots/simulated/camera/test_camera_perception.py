@@ -1,0 +1,120 @@
+"""A robot that sees a simulated table with its own camera."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics.model.robot_model import RobotModel
+from robots.clock import ManualClock
+from robots.errors import DescriptionError, RenderingUnavailableError
+from robots.models.description import load_robot
+from robots.scenes.scene_file import load_scene
+from robots.simulated.camera import camera_perception
+from robots.simulated.camera.camera_perception import Believed, CameraPerception, require_camera
+from robots.simulated.world import build_world
+
+FRAME = "rgbd_rgb_optical_frame"
+
+
+class Stage:
+    """A robot that stands still before a scene, and its camera."""
+
+    def __init__(self, seed=3):
+        robot, scene = load_robot("talos"), load_scene("tabletop")
+        home = {**robot.description.home, "head_1_joint": 0.7, "torso_2_joint": 0.2}
+        robot = replace(robot, description=replace(robot.description, home=home))
+        self.world = build_world(robot, scene, np.random.default_rng(0))
+        self.clock, model = ManualClock(), RobotModel(robot.description)
+        pose = model.frame_pose(model.on_the_floor(home), FRAME)
+        state = self.world.robot.read()
+        self.eyes = CameraPerception(
+            self.world.physics,
+            robot,
+            scene,
+            self.clock,
+            np.random.default_rng(seed),
+            lambda: Believed(pose, state.q),
+        )
+
+    def frames(self, count):
+        told = {}
+        while len(told) < count:
+            frame = self.eyes.latest()
+            if frame is not None:
+                told[frame.sequence] = frame
+            self.eyes.tick()
+            self.clock.advance(0.002)
+        return list(told.values())
+
+
+@pytest.fixture(scope="module")
+def stage():
+    return Stage()
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("P2")
+def test_the_camera_shows_the_cup_where_it_is(stage):
+    (frame,) = stage.frames(1)
+
+    (cup,) = [seen for seen in frame.detections if (seen.color, seen.kind) == ("red", "cup")]
+    truth = stage.world.truth
+    camera_T_cup = np.linalg.inv(truth.world_T_camera()) @ truth.world_T_object("red cup")
+    assert np.linalg.norm(cup.camera_T_object[:3, 3] - camera_T_cup[:3, 3]) < 0.015
+    assert any(seen.kind == "table" for seen in frame.detections)
+
+
+@pytest.mark.opengl
+def test_the_same_seed_tells_the_same_to_the_last_bit(stage):
+    again = Stage()
+
+    first, second = Stage().frames(2), again.frames(2)
+
+    assert [frame.sequence for frame in first] == [frame.sequence for frame in second]
+    for one, other in zip(first, second, strict=True):
+        assert len(one.detections) == len(other.detections)
+        for a, b in zip(one.detections, other.detections, strict=True):
+            assert np.array_equal(a.camera_T_object, b.camera_T_object)
+            assert (a.kind, a.color, a.confidence) == (b.kind, b.color, b.confidence)
+
+
+@pytest.mark.opengl
+def test_pictures_are_taken_only_while_somebody_looks(stage):
+    stage.frames(1)
+    for _ in range(100):  # what was asked for comes yet
+        stage.eyes.tick()
+        stage.clock.advance(0.002)
+    before = len(stage.eyes.looked_s)
+
+    for _ in range(500):
+        stage.eyes.tick()
+        stage.clock.advance(0.002)
+
+    assert len(stage.eyes.looked_s) == before
+
+
+@pytest.mark.opengl
+def test_a_frozen_camera_is_noticed_within_half_a_second(stage):
+    stage.frames(1)
+    since = stage.clock.now_s()
+    stage.eyes.faults.frozen = True
+    told = [frame for frame in stage.frames(6) if frame.stamp_s > since]
+    stage.eyes.faults.frozen = False
+
+    troubled = [frame for frame in told if frame.trouble is not None]
+    assert troubled
+    assert troubled[0].stamp_s - since < 0.5
+    assert "same picture" in troubled[0].trouble
+
+
+def test_a_robot_without_a_camera_is_refused_with_what_its_data_lack():
+    with pytest.raises(DescriptionError, match=r"\[\[rgbd\]\]"):
+        require_camera(load_robot("g1"))
+
+
+def test_without_opencv_one_line_says_what_to_install(monkeypatch):
+    monkeypatch.setattr(camera_perception.importlib.util, "find_spec", lambda name: None)
+
+    with pytest.raises(RenderingUnavailableError, match=r"humanoid-executive\[camera\]"):
+        require_camera(load_robot("talos"))

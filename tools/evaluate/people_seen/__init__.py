@@ -1,0 +1,1 @@
+"""What the robot's camera makes of random people, judged by the scene."""

@@ -1,0 +1,1 @@
+"""What the robot's camera makes of random scenes, judged by the simulator's truth."""

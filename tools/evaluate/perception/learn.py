@@ -1,0 +1,74 @@
+"""``python -m tools.evaluate.perception.learn FILE``: colour classes and confidence from judged pictures.
+
+FILE is what ``python -m tools.evaluate perception --pictures FILE`` keeps. Prints what belongs into
+``robots/perception/rgbd/color_classes.py`` and ``confidence.py``.
+"""
+
+from __future__ import annotations
+
+import pickle
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from kinematics.arrays import Array
+from robots.scenes.scene_words import COLORS
+from tools.evaluate.perception.judge import PictureRecord, ThingRecord
+
+_LEAST_VISIBLE = 0.25
+_FLOOR = (0.008, 0.008, 0.03, 0.03)
+"""Standard deviations that no class is narrower than, by feature."""
+_RIDGE = 0.5
+_NEAR_M = 0.03
+
+
+def color_classes(things: Sequence[ThingRecord]) -> tuple[list[str], Array, Array]:
+    """Names, means, shape (c, 4), and inverse covariances, shape (c, 4, 4), of each colour's features."""
+    names, means, precisions = list(COLORS), [], []
+    for name in names:
+        some = [thing.features for thing in things if thing.color == name and thing.visible > _LEAST_VISIBLE]
+        values = np.array(some)
+        middle = np.median(values, axis=0)
+        spread = 1.48 * np.median(np.abs(values - middle), axis=0) + 0.01
+        values = values[(np.abs(values - middle) < 4.0 * spread).all(axis=1)]
+        means.append(values.mean(axis=0))
+        precisions.append(np.linalg.inv(np.cov(values.T) + np.diag(np.square(_FLOOR))))
+    return names, np.array(means), np.array(precisions)
+
+
+def weights(evidence: Array, right: Array) -> Array:
+    """Of a logistic regression with a little ridge, the constant first; Newton's method."""
+    design = np.column_stack([np.ones(len(evidence)), evidence])
+    found = np.zeros(design.shape[1])
+    ridge = _RIDGE * np.eye(len(found))
+    ridge[0, 0] = 0.0
+    for _ in range(50):
+        likely = 1.0 / (1.0 + np.exp(-design @ found))
+        slope = design.T @ (right - likely) - ridge @ found
+        curve = (design * (likely * (1.0 - likely))[:, None]).T @ design + ridge
+        found += np.linalg.solve(curve, slope)
+    return found
+
+
+def main(files: Sequence[str]) -> int:
+    """Learn from the records in some files."""
+    records: list[PictureRecord] = []
+    for file in files:
+        records += pickle.loads(Path(file).read_bytes())
+    things = [thing for record in records for thing in record.things if thing.found]
+    names, means, precisions = color_classes([thing for thing in things if thing.name])
+    print(f"COLOR_NAMES = {tuple(names)!r}")
+    print(f"MEANS = np.array({np.round(means, 4).tolist()!r})")
+    print(f"PRECISIONS = np.array({np.round(precisions, 1).tolist()!r})")
+    evidence = np.array([thing.evidence for thing in things])
+    right = np.array([thing.right for thing in things], dtype=np.float64)
+    real = np.array([bool(thing.name) and thing.position_m < _NEAR_M for thing in things], dtype=np.float64)
+    print(f"RIGHT = {tuple(np.round(weights(evidence, right), 3).tolist())!r}")
+    print(f"THERE = {tuple(np.round(weights(evidence, real), 3).tolist())!r}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
