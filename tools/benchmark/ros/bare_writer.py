@@ -17,7 +17,8 @@ _PERIOD_S = 0.01
 
 def main(domain: str, topic: str, joints: str) -> None:
     """Write until killed."""
-    writer = RosNode(RosSettings(int(domain), node="bare")).writer(topic, JointState, reliable())
+    node = RosNode(RosSettings(int(domain), node="bare"))  # its writers live as long as it does
+    writer = node.writer(topic, JointState, reliable())
     names, values, wall = (
         [f"joint_{i}_of_a_robot" for i in range(int(joints))],
         [0.1] * int(joints),

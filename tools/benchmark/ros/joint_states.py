@@ -37,18 +37,20 @@ def ros(quick: bool) -> list[Figure]:
     ):
         try:
             robot.wait_until_ready()
-            latency = _latency(robot.domain, 5 if quick else 40)
+            latency = _latency(robot.domain, 5 if quick else 40, bare)
         finally:
             bare.kill()
         late = _lateness(robot, 3 if quick else 20)
     return [*latency, *late]
 
 
-def _latency(domain: int, blocks: int) -> list[Figure]:
+def _latency(domain: int, blocks: int, bare: subprocess.Popen[bytes]) -> list[Figure]:
     node = RosNode(RosSettings(domain, node="listener"))
     readers = [node.reader(topic, JointState, reliable(100)) for topic in ("/joint_states", _BARE)]
     wall = WallClock()
     while not all(reader.get_matched_publications() for reader in readers):
+        if bare.poll() is not None:
+            raise RuntimeError(f"the bare writer ended ({bare.returncode})")
         wall.sleep(0.05)
     wall.sleep(1.0)
     medians: tuple[list[float], ...] = ([], [])

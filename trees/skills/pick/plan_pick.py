@@ -7,6 +7,7 @@ from py_trees.ports import PortInformation
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.pick import PickPlan, PickRequest
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
@@ -31,14 +32,17 @@ class PlanPick(PlanningLeaf[PickPlan]):
         deadline_s=20.0,
     )
 
-    def request(self) -> PickRequest:
+    def request(self) -> PickRequest | Failure:
         """Either hand, unless one is named or has failed enough; no grasp that was tried in vain."""
         toolbox, task, tried = self.toolbox, self.get_input("task"), self.get_input("tried")
+        name = self.get_input("target").name
+        if name not in toolbox.world.scene.objects:  # a look since then has shown something else there
+            return Failure.postcondition(f"the {name} is no longer there").because(Reason.GONE_SINCE_LOOK)
         return PickRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
-            target=self.get_input("target").name,
+            target=name,
             hands=hands_to_try(task.hand, tried, self._occupied()),
             excluded=tried,
             lift_m=toolbox.policy.lift_m,

@@ -2,7 +2,7 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.requests.step import NoPlan
-from trees.failures import FailureKind
+from trees.failures import FailureKind, Reason
 from trees.skills.pick.plan_pick import PlanPick, hands_to_try
 from trees.tasks import ObjectDescription, PickTask
 
@@ -37,6 +37,17 @@ def test_grasps_that_were_tried_are_left_out(knowing, target):
     plan(knowing, target, tried=frozenset({"right side"}))
 
     assert knowing.output("grasp").label == "top"
+
+
+@pytest.mark.requirement("F1")
+def test_a_target_that_a_later_look_knows_no_more_is_a_failure_of_its_own(knowing, target):
+    world = knowing.toolbox.world
+    world.update(world.scene.without_object(target.name))
+    leaf, status = plan(knowing, target)
+
+    assert status is Status.FAILURE
+    assert leaf.failure.reason is Reason.GONE_SINCE_LOOK
+    assert knowing.fake.planning.requests == []
 
 
 def test_no_plan_is_infeasible_with_its_reasons(knowing, target):
