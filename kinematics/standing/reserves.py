@@ -28,3 +28,7 @@ in collision is not planned for again."""
 
 HANDED_ON_RESERVE_M = BRAKING_RESERVE_M + LEAST_RESERVE_M
 """Between the robot's own links at the end of a plan that such a motion goes on from: it has its reserve."""
+
+JOGGING_RESERVE_M = 0.002
+"""Kept by a person's jogging beyond what the online checker asks for: what is told is a mean, and cuts
+corners by less."""

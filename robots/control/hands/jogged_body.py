@@ -19,13 +19,12 @@ from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
+from kinematics.standing.reserves import JOGGING_RESERVE_M
 from robots.control.guarded.guarded_motion import MotionBounds
 from robots.interface.robot import RobotState
 
 WORD_HOLDS_S = 0.15
 """A word that is not repeated within so long was the last one."""
-_RESERVE_M = 0.002
-"""Kept beyond what the online checker asks for: what is told is a mean, and cuts corners by less."""
 _DURATION_S = 3600.0
 _IDLE_S = 1.0
 """At rest and without a word for so long, it is over: something else may move the body."""
@@ -57,7 +56,7 @@ class JoggedBody:
         """
         model = standing.model
         self._model = model
-        self.scene = relaxed_at(model, scene, q, _RESERVE_M)
+        self.scene = relaxed_at(model, scene, q, JOGGING_RESERVE_M)
         self._tracker = JogTracker(standing, q, _judge(standing, self.scene, q))
         rest = np.zeros(model.nv)
         self.body = MotionSample(self._tracker.q, rest, rest)
@@ -128,10 +127,10 @@ class JoggedBody:
 def _judge(standing: StandingRobot, scene: PlanningScene, q: Array) -> StandingJudge:
     """The judge of what lies ahead: a little stricter than the one that comes after."""
     stricter = scene.with_objects(
-        replace(item, margin_m=item.margin_m + _RESERVE_M) for item in scene.objects.values()
+        replace(item, margin_m=item.margin_m + JOGGING_RESERVE_M) for item in scene.objects.values()
     )
     x = free_coordinates(standing).from_q(q)
     usual = Kept()
-    more = Kept(usual.own_m + _RESERVE_M, usual.floor_m + _RESERVE_M, usual.legs_m)
+    more = Kept(usual.own_m + JOGGING_RESERVE_M, usual.floor_m + JOGGING_RESERVE_M, usual.legs_m)
     judge = StandingJudge(standing, stricter, more)
     return judge if judge.is_free(x, q) else StandingJudge.beginning_at(standing, stricter, x, q)

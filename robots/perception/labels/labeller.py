@@ -9,13 +9,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 
 Image = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
-class Boxes:
+class Boxes(InFloat64):
     """Parts of a picture that show one thing each.
 
     Attributes:

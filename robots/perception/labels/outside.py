@@ -18,7 +18,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.labels.labeller import Boxes, Image, Labeller
 
 GROUP = "humanoid_executive.labellers"
@@ -27,7 +27,7 @@ _LEAST_COMMON = 0.3
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class Found(InFloat64):
     """One thing that a detector found.
 
     Attributes:

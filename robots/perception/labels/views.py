@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from robots.perception.labels.labeller import Boxes, Image
 
 MOST_VIEWS = 64
@@ -20,7 +21,7 @@ _NAME_FILE = "name.txt"
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class View(InFloat64):
     """One thing from one side.
 
     Attributes:

@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from robots.perception.rgbd.picture import Depths, Mask, Picture
 
 
 @dataclass(frozen=True, slots=True)
-class Cloud:
+class Cloud(InFloat64):
     """What each pixel shows, in the odometry frame (z up, floor at 0).
 
     Attributes:

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.color_classes import COLOR_NAMES, MEANS, PRECISIONS
 from robots.perception.rgbd.picture import Colors, Mask
 
@@ -26,7 +26,7 @@ _DARK = 20.0
 
 
 @dataclass(frozen=True, slots=True)
-class Light:
+class Light(InFloat64):
     """The light of a picture, as a surface of known colour tells it.
 
     Attributes:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.labels import Call
 from robots.perception.rgbd.samples import Samples
 from robots.perception.rgbd.shapes import Solid
@@ -65,7 +65,7 @@ def _odds(share: float) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Belief:
+class Belief(InFloat64):
     """How sure things are.
 
     Attributes:

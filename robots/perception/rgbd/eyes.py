@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.perception.detector import Detection, PerceptionFrame
@@ -72,7 +72,7 @@ class Thing:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class Seen(InFloat64):
     """Everything that was found in a picture.
 
     Attributes:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
@@ -34,7 +34,7 @@ _STEPS = 6
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(InFloat64):
     """One solid of a piece of furniture that is seen.
 
     Attributes:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from kinematics.geometry.poses import Transform
 from robots.interface.depth_camera import DepthCamera
 
@@ -17,7 +17,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(InFloat64):
     """One picture.
 
     Attributes:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud, rays_through
 from robots.perception.rgbd.segments import Segments
 
@@ -22,7 +22,7 @@ _BEHIND_M = 0.010
 
 
 @dataclass(frozen=True, slots=True)
-class Samples:
+class Samples(InFloat64):
     """Measurements of k pieces, each in a frame with its origin on the surface below its middle.
 
     Attributes:

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from robots.perception.rgbd.cloud import Cloud
 from robots.perception.rgbd.picture import Mask
 from robots.perception.rgbd.surfaces import Surface, inside
@@ -28,7 +29,7 @@ _MOST = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Segments:
+class Segments(InFloat64):
     """Pieces of a picture.
 
     Attributes:

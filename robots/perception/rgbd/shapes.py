@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.rgbd.cloud import Cloud
 from robots.perception.rgbd.samples import Samples
@@ -44,7 +44,7 @@ _BEHIND_M, _THROUGH_SHARE = 0.02, 0.6
 
 
 @dataclass(frozen=True, slots=True)
-class Solid:
+class Solid(InFloat64):
     """The shape of one thing.
 
     Attributes:

@@ -13,7 +13,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.samples import Samples
 
 STEPS = 8
@@ -43,7 +43,7 @@ _NO_SLOPES = np.zeros((0, 0, 0))
 
 
 @dataclass(frozen=True, slots=True)
-class Fit:
+class Fit(InFloat64):
     """One kind of solid, fitted to k things.
 
     Attributes:

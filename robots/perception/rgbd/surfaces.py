@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import InFloat64
 from robots.perception.rgbd.cloud import Cloud, levelling
 
 STEP_M = 0.005
@@ -30,7 +31,7 @@ HULL_ROOM_M = 0.03
 
 
 @dataclass(frozen=True, slots=True)
-class Surface:
+class Surface(InFloat64):
     """A level surface.
 
     Attributes:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.people.heads import HEAD_M, Head
 from robots.perception.rgbd.people.pieces import Piece
 from robots.scenes.scene_description import Posture
@@ -36,7 +36,7 @@ _TRUNK_M = 0.13
 
 
 @dataclass(frozen=True, slots=True)
-class Body:
+class Body(InFloat64):
     """Somebody.
 
     Attributes:

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud
 from robots.perception.rgbd.people.pieces import EVERY, Piece
 
@@ -26,7 +26,7 @@ _CANDIDATES, _LIKE = 8, 0.4
 
 
 @dataclass(frozen=True, slots=True)
-class Head:
+class Head(InFloat64):
     """A head.
 
     Attributes:

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud
 
 EVERY = 2
@@ -20,7 +20,7 @@ _MOST = 80
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(InFloat64):
     """Neighbouring pixels without a jump of depth.
 
     Attributes:
@@ -45,7 +45,7 @@ class Piece:
 
 
 @dataclass(frozen=True, slots=True)
-class Pieces:
+class Pieces(InFloat64):
     """All pieces of a picture, the largest first, and which pixel belongs to which."""
 
     labels: NDArray[np.int32]

@@ -20,15 +20,19 @@ from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.executive.session import test_session
 from tests.robots.live.conftest import swing
 from trees.failures import Failure, OpenChoice
+from trees.snapshot import NodeSnapshot, TreeSnapshot
 from trees.world_model import WorldModel
 
 REFUSED = SetpointRefused(0.0, "pick", "velocity", "arm_left_2_joint", 3.0, 2.0)
 
 
 class Tree(test_session.Tree):
-    """Ends after some ticks, and has nothing to show."""
+    """Ends after some ticks, and has one node to show."""
 
     leaf_places = frozenset()
+
+    def snapshot(self, t_s):
+        return TreeSnapshot(t_s, 0, NodeSnapshot("task", "sequence", "running", ""))
 
 
 class Somebody:
