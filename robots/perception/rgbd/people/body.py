@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.people.heads import HEAD_M, Head
@@ -53,7 +54,7 @@ class Body(InFloat64):
     axis: Array
     posture: Posture | None
     points: Array
-    pixels: Array
+    pixels: NDArray[np.int64]
     along: Array | None
     area_m2: float
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from robots.perception.rgbd.colors import Light, features
@@ -44,7 +45,7 @@ def _parts(body: Body) -> tuple[Mask, Mask]:
     return upper, (below > 0.86) & (below < 1.40) & (away < 0.3)
 
 
-def _color(image: Colors, pixels: Array, light: Light) -> str | None:
+def _color(image: Colors, pixels: NDArray[np.int64], light: Light) -> str | None:
     """The name of the colour of most of some pixels, or None where it cannot be told."""
     if len(pixels) < _LEAST_PIXELS:
         return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
@@ -131,7 +132,7 @@ def _is_round(head: Head, piece: Piece, cloud: Cloud) -> bool:
     return bool(thick > _BULGES_M + cloud.picture.camera.errors.depth_sigma_m(piece.depth_m))
 
 
-def _together(pieces: list[Piece]) -> tuple[Array, Array]:
+def _together(pieces: list[Piece]) -> tuple[Array, NDArray[np.int64]]:
     points = np.concatenate([piece.points for piece in pieces])
     pixels = np.concatenate([np.column_stack([piece.rows, piece.columns]) for piece in pieces])
     return points, pixels * EVERY
