@@ -10,6 +10,7 @@ SILENT_S = 0.4
 """A camera that takes fifteen pictures a second has missed six by then."""
 OLD_S = 0.5
 """Frames that are older than this when they come tell of another time; a detector takes 0.15 s at most."""
+_LATE_IN_A_ROW = 3
 _SAME_IN_A_ROW = 4
 """So many pictures of a camera that has noise are never equal to the last digit."""
 
@@ -26,14 +27,15 @@ class FrameWatch:
 
     The newest frame is shown to it again and again. It is frozen when no frame is newer than the last for
     ``SILENT_S``, and when frames with new numbers and stamps tell the same to the last digit, although the
-    detector declares noise. It is stale when frames come that are older than ``OLD_S``.
+    detector declares noise. It is stale when several come in a row that are older than ``OLD_S``: one or two
+    may be left over from before anybody looked.
     """
 
     def __init__(self, now_s: float) -> None:
         """Begin to look."""
         self._since_s = self._shown_s = now_s
         self._last: PerceptionFrame | None = None
-        self._same = 0
+        self._same = self._late = 0
 
     def take(self, frame: PerceptionFrame | None, now_s: float) -> Fault | None:
         """What is wrong with the source, as far as the newest frame tells.
@@ -42,7 +44,8 @@ class FrameWatch:
             frame: The newest one, or None before the first.
             now_s: When it is shown.
         """
-        if now_s - self._shown_s > 0.5 * SILENT_S:  # nobody looked meanwhile
+        unseen_s = now_s - self._shown_s
+        if unseen_s > 0.5 * SILENT_S:  # nobody looked meanwhile
             self._since_s = now_s
         self._shown_s = now_s
         last = self._last
@@ -58,11 +61,13 @@ class FrameWatch:
             return Fault.FROZEN
         if frame is not None and frame.sequence != self._last.sequence:
             return Fault.STALE
-        age_s = now_s - self._last.stamp_s
         if now_s - self._since_s > SILENT_S:
             return Fault.FROZEN
-        fresh = last is not None and self._last is not last
-        return Fault.STALE if fresh and age_s > OLD_S else None
+        if last is not None and self._last is not last:
+            late_s = now_s - self._last.stamp_s - unseen_s  # at least so, when it came
+            self._late = self._late + 1 if late_s > OLD_S else 0
+            return Fault.STALE if self._late >= _LATE_IN_A_ROW else None
+        return None
 
 
 def _is_copy(before: PerceptionFrame, frame: PerceptionFrame) -> bool:

@@ -67,6 +67,13 @@ def test_frames_that_come_far_too_late_are_stale():
     assert Fault.STALE in {fault for _, fault in late}
 
 
+def test_what_was_taken_before_anybody_looked_is_no_fault_of_the_camera():
+    left_over = [(0.0, frame(-4.1, 1)), (0.04, frame(-4.0, 2, 1.0)), (0.08, frame(-3.9, 3, 2.0))]
+    after = [(0.1 + 0.1 * k, frame(0.1 * k, 4 + k, 3.0 + k)) for k in range(11)]
+
+    assert {fault for _, fault in faults([*left_over, *after], ticks=50)} == {None}
+
+
 @pytest.mark.requirement("F3")
 def test_frames_that_go_back_in_time_are_stale():
     mixed = [(0.0, frame(0.0, 1)), (0.1, frame(0.1, 2, 1.0)), (0.2, frame(0.05, 3, 2.0))]
