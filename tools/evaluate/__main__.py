@@ -27,14 +27,12 @@ from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
 from tools.evaluate.digests import run_digests
-from tools.evaluate.disturbed.suite import DISTURBED_SUITES, run_disturbed_suite
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.front.suite import FRONT_SUITES, run_front_suite
 from tools.evaluate.fusion.suite import FUSION_SUITE, run_fusion_suite
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
-from tools.evaluate.jogging.suite import JOG_SUITES, run_jog_suite
 from tools.evaluate.live.connection import run_connection
 from tools.evaluate.live.fuzz import run_fuzz
 from tools.evaluate.live.kill import run_kill
@@ -58,6 +56,7 @@ from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.soak import run_soak
 from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
+from tools.evaluate.summed_suite import DISTURBED_SUITES, JOG_SUITES, run_summed_suite
 from tools.evaluate.workers import Run, run_all
 
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
@@ -153,10 +152,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run_mcp_fuzz(options, messages)
     if options.suite == "load":
         return run_load(options, messages)
-    if options.suite in DISTURBED_SUITES:
-        return run_disturbed_suite(options, messages)
-    if options.suite in JOG_SUITES:
-        return run_jog_suite(options, messages)
+    if options.suite in (*DISTURBED_SUITES, *JOG_SUITES):
+        return run_summed_suite(options, messages)
     if options.suite in OPENING_SUITES:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS

@@ -4,27 +4,27 @@ its tests.
 
 from __future__ import annotations
 
-import io
 import json
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-from rich.text import Text
-
 from executive.dialogue.clarification import OpenQuestion
-from executive.screens.display import drawing
-from executive.screens.rows import text_of
+from executive.screens.rows import Row
 from executive.screens.screen import ScreenState, screen
-from trees.snapshot import NodeSnapshot, TreeSnapshot
+from tools.pictures.screen_pictures import (
+    SIZES,
+    SMALL,
+    TESTS,
+    WIDE,
+    node_from,
+    write_pictures,
+    write_snapshots,
+)
+from trees.snapshot import TreeSnapshot
 
-ROOT = Path(__file__).parents[2]
-PICTURES, SNAPSHOTS = ROOT / "docs" / "pictures", ROOT / "tests" / "executive" / "screens" / "screens"
 RECORDED = Path(__file__).with_name("screens.json")
 """What was shown in real runs, written by ``python -m tools.pictures.record_screens``."""
 
-SMALL, WIDE = (80, 24), (160, 50)
-SIZES = (SMALL, WIDE)
 SHOWN = (
     ("running", SMALL, False),
     ("running", SMALL, True),
@@ -34,16 +34,12 @@ SHOWN = (
 """Pictures in the guide: which screen, how large, and whether without colour."""
 
 
-def _node(said: dict[str, Any]) -> NodeSnapshot:
-    return NodeSnapshot(**{**said, "children": tuple(map(_node, said["children"]))})
-
-
 def _state(said: dict[str, Any]) -> ScreenState:
     """What was shown, read back."""
     tree, question = said["tree"], said["question"]
     if question is not None:
         question = OpenQuestion(**{**question, "choices": tuple(question["choices"])})
-    shown = TreeSnapshot(**{**tree, "root": _node(tree["root"])})
+    shown = TreeSnapshot(**{**tree, "root": node_from(tree["root"])})
     return ScreenState(**{**said, "tree": shown, "question": question, "log": tuple(said["log"])})
 
 
@@ -53,31 +49,13 @@ RUNNING, ASKING, STOPPED = (EXAMPLES[name] for name in ("running", "asking", "st
 
 def main() -> None:
     """Write pictures and snapshots."""
-    SNAPSHOTS.mkdir(parents=True, exist_ok=True)
-    for name, state in EXAMPLES.items():
-        for width, height in SIZES:
-            text = text_of(screen(state, width, height)) + "\n"
-            (SNAPSHOTS / f"{name}_{width}x{height}.txt").write_text(text, "utf-8")
-    for name, (width, height), plain in SHOWN:
-        suffix = "_plain" if plain else ""
-        picture = PICTURES / f"screen_{name}_{width}x{height}{suffix}.svg"
-        picture.write_text(_picture(name, width, height, plain), "utf-8")
+    write_snapshots(TESTS / "screens" / "screens", EXAMPLES, _laid)
+    write_pictures("screen", "executive run", SHOWN, _laid)
     print(f"wrote {len(EXAMPLES)} screens in {len(SIZES)} sizes, {len(SHOWN)} pictures")
 
 
-def _picture(name: str, width: int, height: int, plain: bool) -> str:
-    """One screen as SVG, in colour or without."""
-    console = Console(
-        file=io.TextIOWrapper(io.BytesIO(), "utf-8"),
-        record=True,
-        width=width,
-        height=height,
-        force_terminal=True,
-        color_system="truecolor",
-    )
-    state = EXAMPLES[name]
-    console.print(Text(text_of(screen(state, width, height))) if plain else drawing(state, console))
-    return console.export_svg(title="executive run", unique_id=name)
+def _laid(name: str, width: int, height: int) -> list[Row]:
+    return screen(EXAMPLES[name], width, height)
 
 
 if __name__ == "__main__":

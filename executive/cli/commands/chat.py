@@ -22,6 +22,7 @@ from executive.cli.commands.choices import (
     ServedPaceOption,
     YesOption,
     not_empty,
+    options_of,
     whole_number_from,
 )
 from executive.cli.own_service import serve_meanwhile
@@ -72,8 +73,11 @@ def chat(
     """Talk to a robot: commands, questions, stops, and what became of them."""
     use_config(config)
     is_served = attach or folder is not None
-    own = [f"--{name}={value}" for name, value in _own(robot, scene, seed, record, model) if value]
+    own = options_of({"robot": robot, "scene": scene, "seed": seed, "record": record, "model": model})
     own += ["--yes"] if yes else []
+    own += [] if pace == REAL_PACE else [f"--pace={pace}"]
+    own += [] if confidence == THRESHOLD else [f"--confidence={confidence}"]
+    own += [] if policy is PolicyChoice.ASK else [f"--policy={policy.value}"]
     if is_served and own:
         raise typer.BadParameter(f"{own[0]}: the robot is served already, as it was started")
 
@@ -86,24 +90,10 @@ def chat(
         if is_served:
             where = folder or runtime_directory()
         else:
-            options = [*own, f"--pace={pace}", f"--confidence={confidence}", f"--policy={policy.value}"]
             say("the robot gets ready …")
-            where = serve_meanwhile(options, lambda line: outlet[0](line), closing)
+            where = serve_meanwhile(own, lambda line: outlet[0](line), closing)
         code = _talk(where, plain, outlet, closing)
     raise typer.Exit(code)
-
-
-def _own(
-    robot: str | None, scene: str | None, seed: int | None, record: Path | None, model: str | None
-) -> list[tuple[str, str]]:
-    """Options that are for a robot of the chat's own, as ``serve`` takes them; empty where not given."""
-    return [
-        ("robot", robot or ""),
-        ("scene", scene or ""),
-        ("seed", "" if seed is None else str(seed)),
-        ("record", "" if record is None else str(record)),
-        ("model", model or ""),
-    ]
 
 
 def _talk(where: Path, plain: bool, outlet: list[Callable[[str], None]], closing: ExitStack) -> ExitCode:

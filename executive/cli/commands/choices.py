@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -147,3 +147,8 @@ RosNamespaceOption = Annotated[str, typer.Option(metavar="NAME", help="Before ev
 RosInterfaceOption = Annotated[
     str, typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands.")
 ]
+
+
+def options_of(given: Mapping[str, object]) -> list[str]:
+    """Options as ``executive serve`` takes them; those without a value are left out."""
+    return [f"--{name}={value}" for name, value in given.items() if value not in (None, "")]

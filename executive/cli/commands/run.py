@@ -27,6 +27,7 @@ from executive.cli.commands.choices import (
     RosOption,
     YesOption,
     not_empty,
+    options_of,
     whole_number_from,
 )
 from executive.cli.own_service import serve_meanwhile
@@ -99,17 +100,21 @@ def run(
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust, scene)
     if ros:
-        no = {"report": report, "snapshot": snapshot, "video": video, "junit": junit, "on-question": None}
-        if on_question is not OnQuestionChoice.ASK:
-            no["on-question"] = Path(on_question.value)
-        if refused := next((name for name, value in no.items() if value is not None), None):
-            raise typer.BadParameter(f"--{refused}: not with --ros; the run is recorded, see --record")
-        own = {
+        asked = None if on_question is OnQuestionChoice.ASK else on_question
+        _refuse_with_ros(
+            report=report,
+            snapshot=snapshot,
+            video=video,
+            junit=junit,
+            perception=perception,
+            on_question=asked,
+        )
+        served = {
             "robot": robot or script.robot,
             "scene": scene or script.scene,
             "seed": script.seed if seed is None else seed,
             "record": record,
-            "pace": pace.value if pace else "real",
+            "pace": (pace or PaceChoice.REAL).value,
             "confidence": confidence,
             "policy": policy.value,
             "model": model,
@@ -118,8 +123,7 @@ def run(
             "ros-namespace": ros_namespace,
             "ros-interface": ros_interface,
         }
-        options = [f"--{name}={value}" for name, value in own.items() if value not in (None, "")]
-        _run_with_ros(text, [*options, "--ros", *(["--yes"] if yes else [])], quiet)
+        _run_with_ros(text, [*options_of(served), "--ros", *(["--yes"] if yes else [])], quiet)
     asker, front = None, None
     if model is not None:
         from executive.doors.model.front_model import front_model
@@ -159,6 +163,16 @@ def run(
         typer.echo(f"executive: {complaint}", err=True)
     tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
+
+
+def _refuse_with_ros(**given: object) -> None:
+    """Refuse the first option that is given and that only a run in this process knows."""
+    for name, value in given.items():
+        if value is not None:
+            told = name.replace("_", "-")
+            raise typer.BadParameter(
+                f"--{told}: not with --ros; the robot is served, and --record keeps its run"
+            )
 
 
 def _run_with_ros(text: str, options: list[str], quiet: bool) -> NoReturn:

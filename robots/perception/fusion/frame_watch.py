@@ -11,6 +11,7 @@ SILENT_S = 0.4
 OLD_S = 0.5
 """Frames that are older than this when they come tell of another time; a detector takes 0.15 s at most."""
 _LATE_IN_A_ROW = 3
+"""Of a camera that hangs behind; fewer may be left over."""
 _SAME_IN_A_ROW = 4
 """So many pictures of a camera that has noise are never equal to the last digit."""
 

@@ -107,13 +107,3 @@ class Gaussian(Sealed):
         kept = np.eye(len(self.mean)) - gain @ model
         covariance = kept @ self.covariance @ kept.T + gain @ measured.covariance @ gain.T
         return Gaussian(self.mean + gain @ innovation.difference, covariance)
-
-    def widened(self, innovation: Innovation, model: Array) -> Gaussian:
-        """The estimate after a disagreement: as uncertain as makes the difference one of a usual size.
-
-        Args:
-            innovation: The disagreement.
-            model: That of its measurement, shape (m, n).
-        """
-        doubt = model.T @ np.outer(innovation.difference, innovation.difference) @ model
-        return Gaussian(self.mean, self.covariance + doubt)

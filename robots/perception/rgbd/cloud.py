@@ -81,3 +81,24 @@ def levelling(slope_x: float, slope_y: float) -> NDArray[np.float64]:
     normal /= np.linalg.norm(normal)
     axis = np.cross(normal, (0.0, 0.0, 1.0))
     return poses.rotation_from_vector(axis)
+
+
+def depth_jumps(depth: Depths, sigma: Depths, least_m: float, sigmas: float) -> Mask:
+    """The farther one of each two neighbouring pixels between which depth jumps.
+
+    Args:
+        depth: In m, 0 where nothing came back.
+        sigma: Standard deviation of each depth, m.
+        least_m: A smaller step is no jump.
+        sigmas: Nor is one of fewer standard deviations.
+    """
+    least = np.maximum(np.float32(least_m), np.float32(sigmas) * sigma)
+    jumps = np.zeros(depth.shape, np.bool_)
+    for axis in (0, 1):
+        step = np.diff(depth, axis=axis)
+        near = (slice(None, -1), slice(None)) if axis == 0 else (slice(None), slice(None, -1))
+        far = (slice(1, None), slice(None)) if axis == 0 else (slice(None), slice(1, None))
+        both = (depth[far] > 0.0) & (depth[near] > 0.0)
+        jumps[far] |= both & (step > least[far])
+        jumps[near] |= both & (-step > least[near])
+    return jumps

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import InFloat64
-from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.cloud import Cloud, depth_jumps
 from robots.perception.rgbd.picture import Mask
 from robots.perception.rgbd.surfaces import Surface, inside
 
@@ -58,7 +58,7 @@ def segment(cloud: Cloud, mask: Mask, tint: NDArray[np.float32]) -> Segments:
         mask: Which of them stand on something.
         tint: Smoothed chromaticity, shape (2, height / 2, width / 2).
     """
-    cut = mask & ~_jumps(cloud)
+    cut = mask & ~depth_jumps(cloud.depth_m, cloud.sigma_m, JUMP_M, JUMP_SIGMAS)
     number, labels, stats, _ = cv2.connectedComponentsWithStats(cut.astype(np.uint8), connectivity=4)
     changes = cut & _tint_changes(tint)
     if changes.any():
@@ -70,21 +70,6 @@ def segment(cloud: Cloud, mask: Mask, tint: NDArray[np.float32]) -> Segments:
         renamed[old] = new
     pieces = renamed[labels]
     return _joined(cloud, pieces, len(large), tint)
-
-
-def _jumps(cloud: Cloud) -> Mask:
-    """The farther pixel of each two neighbours between which depth jumps."""
-    depth = cloud.depth_m
-    least = np.maximum(np.float32(JUMP_M), np.float32(JUMP_SIGMAS) * cloud.sigma_m)
-    jumps = np.zeros(depth.shape, np.bool_)
-    for axis in (0, 1):
-        step = np.diff(depth, axis=axis)
-        near = (slice(None, -1), slice(None)) if axis == 0 else (slice(None), slice(None, -1))
-        far = (slice(1, None), slice(None)) if axis == 0 else (slice(None), slice(1, None))
-        both = (depth[far] > 0.0) & (depth[near] > 0.0)
-        jumps[far] |= both & (step > least[far])
-        jumps[near] |= both & (-step > least[near])
-    return jumps
 
 
 def _tint_changes(tint: NDArray[np.float32]) -> Mask:

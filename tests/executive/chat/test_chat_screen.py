@@ -9,7 +9,8 @@ from executive.chat.chat_screen import ChatView, chat_screen, transcript
 from executive.chat.robot_watch import RobotStanding
 from executive.chat.utterance import Utterance
 from executive.screens.rows import text_of
-from tools.pictures.draw_chat import EXAMPLES, SIZES
+from tools.pictures.draw_chat import EXAMPLES
+from tools.pictures.screen_pictures import SIZES
 
 SNAPSHOTS = Path(__file__).parent / "screens"
 

@@ -22,7 +22,17 @@ def test_where_nobody_serves_a_robot_that_is_said(chat):
 
 
 @pytest.mark.parametrize(
-    "option", [("--scene", "flat"), ("--robot", "talos"), ("--seed", "0"), ("--model", "house"), ("--yes",)]
+    "option",
+    [
+        ("--scene", "flat"),
+        ("--robot", "talos"),
+        ("--seed", "0"),
+        ("--model", "house"),
+        ("--yes",),
+        ("--pace", "fast"),
+        ("--confidence", "0.9"),
+        ("--policy", "partial"),
+    ],
 )
 def test_what_a_served_robot_was_started_with_is_not_chosen_again(chat, option):
     result = chat("--attach", *option)

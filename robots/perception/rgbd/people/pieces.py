@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
-from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.cloud import Cloud, depth_jumps
 
 EVERY = 2
 _FLOOR_M, _FLOOR_SIGMAS = 0.07, 2.0
@@ -60,7 +60,7 @@ def pieces_of(cloud: Cloud) -> Pieces:
     mask = there & (z > np.float32(_FLOOR_M) + np.float32(_FLOOR_SIGMAS) * np.float32(0.4) * sigma)
     mask &= z < np.float32(_TALLEST_M)
     smooth = cv2.medianBlur(depth, 3)
-    mask &= (smooth > 0.0) & ~_jumps(smooth, sigma)
+    mask &= (smooth > 0.0) & ~depth_jumps(smooth, sigma, JUMP_M, JUMP_SIGMAS)
     _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=4)
     order = np.argsort(-stats[1:, cv2.CC_STAT_AREA], kind="stable")[:_MOST] + 1
     focal = cloud.picture.camera.focal_px / EVERY
@@ -77,17 +77,3 @@ def pieces_of(cloud: Cloud) -> Pieces:
         points = np.column_stack([cloud.x[r, c], cloud.y[r, c], cloud.z[r, c]]).astype(np.float64)
         found.append(Piece(number, points, rows, columns, area, median))
     return Pieces(labels.astype(np.int32), tuple(found))
-
-
-def _jumps(depth: NDArray[np.float32], sigma: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """The farther one of each two neighbours between which depth jumps."""
-    least = np.maximum(np.float32(JUMP_M), np.float32(JUMP_SIGMAS) * sigma)
-    jumps = np.zeros(depth.shape, np.bool_)
-    for axis in (0, 1):
-        step = np.diff(depth, axis=axis)
-        near = (slice(None, -1), slice(None)) if axis == 0 else (slice(None), slice(None, -1))
-        far = (slice(1, None), slice(None)) if axis == 0 else (slice(None), slice(1, None))
-        both = (depth[far] > 0.0) & (depth[near] > 0.0)
-        jumps[far] |= both & (step > least[far])
-        jumps[near] |= both & (-step > least[near])
-    return jumps

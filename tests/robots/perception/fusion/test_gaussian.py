@@ -51,13 +51,3 @@ def test_senses_that_agree_are_seldom_taken_to_disagree(numbers):
 
     assert start.innovation(measured(1.001 * edge, 1.0)).disagrees
     assert not start.innovation(measured(0.999 * edge, 1.0)).disagrees
-
-
-def test_after_a_disagreement_the_same_measurement_is_no_surprise():
-    start, odd = Gaussian(np.zeros(2), 0.01 * np.eye(2)), measured([0.0, 3.0], 0.1)
-    innovation = start.innovation(odd)
-    wider = start.widened(innovation, odd.model)
-
-    assert innovation.disagrees
-    assert not wider.innovation(odd).disagrees
-    assert wider.covariance[0, 0] == pytest.approx(0.01)
