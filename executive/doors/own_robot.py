@@ -68,11 +68,12 @@ class OwnRobot:
                 self._process.wait()
         self._place.cleanup()
 
-    def wait(self, given_up: Callable[[], bool]) -> ServedRobot:
+    def wait(self, given_up: Callable[[], bool], listeners: int = 0) -> ServedRobot:
         """Wait until it takes tasks.
 
         Args:
             given_up: Whether nobody waits any more.
+            listeners: So many have to listen to what it tells by then.
 
         Raises:
             OwnRobotError: It ended before, or does not begin.
@@ -83,11 +84,11 @@ class OwnRobot:
             if self._process.poll() is not None:
                 raise OwnRobotError(self._told[-1] if self._told else "`executive serve` ended at once")
             try:
-                robot.status()
+                if robot.status()["listeners"] >= listeners:
+                    return robot
             except LiveError:
-                self._wall.sleep(_LOOK_EVERY_S)
-                continue
-            return robot
+                pass
+            self._wall.sleep(_LOOK_EVERY_S)
         raise OwnRobotError(
             "nobody waits for the robot any more"
             if given_up()

@@ -114,6 +114,11 @@ class HandBack:
 
 
 @dataclass(frozen=True, slots=True)
+class Listen:
+    """From now on hear what everybody else is told of their orders."""
+
+
+@dataclass(frozen=True, slots=True)
 class GetScene:
     """What does the robot believe to be around it?"""
 
@@ -127,6 +132,7 @@ DeskMessage = (
     | ResumeTask
     | GetStatus
     | GetScene
+    | Listen
     | Velocity
     | TakeOver
     | Jog
@@ -143,6 +149,7 @@ _MESSAGES: Mapping[str, type] = {
     "resume": ResumeTask,
     "status": GetStatus,
     "scene": GetScene,
+    "listen": Listen,
     "velocity": Velocity,
     "take_over": TakeOver,
     "jog": Jog,

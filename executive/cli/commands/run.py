@@ -185,7 +185,7 @@ def _run_with_ros(text: str, options: list[str], quiet: bool) -> NoReturn:
             typer.echo(line, err=True)
 
     with ExitStack() as closing:
-        where = RuntimeFolder(serve_meanwhile(options, say, closing))
+        where = RuntimeFolder(serve_meanwhile(options, say, closing, listeners=1))
         line, code = give_order(where, order_of(text, where), quiet)
     tell_result(line)
     raise typer.Exit(code)

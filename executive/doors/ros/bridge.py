@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import queue
 import threading
 from collections.abc import Callable, Mapping
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -29,6 +31,8 @@ from executive.doors.ros.settings import RosSettings
 from executive.doors.served_robot import RESET_IS_A_PERSONS, Run, ServedRobot
 from executive.doors.velocity_flow import VelocityFlow
 from executive.errors import UserError
+from executive.live.caller.caller import Caller
+from executive.live.desk_messages import Listen, write_desk_message
 from executive.scripts.task_script import is_script
 from kinematics.model.robot_model import RobotModel
 from robots.clock import WallClock, utc_ns
@@ -230,6 +234,7 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
     publications = Publications(node, model)
     asks = threading.Thread(target=_ask, args=(robot, publications, wall), name="ros status", daemon=True)
     asks.start()
+    threading.Thread(target=_listen, args=(folder, tell, wall), name="ros listener", daemon=True).start()
     try:
         while not ended():
             row = slot.newest()
@@ -264,6 +269,24 @@ def _ask(robot: ServedRobot, publications: Publications, wall: WallClock) -> Non
         except LiveError as gone:
             publications.status({"defects": [str(gone)]})
         wall.sleep(_SCENE_EVERY_S)
+
+
+def _listen(folder: Path, tell: Callable[[str], None], wall: WallClock) -> None:
+    """Tell what others are told of orders that they gave elsewhere; of its own ones the bridge tells already."""
+    mine = os.getpid()
+
+    def take(said: dict[str, Any]) -> bool:
+        if said["type"] == "heard" and said["by"] != mine:
+            tell(said["text"])
+        return False
+
+    while True:
+        try:
+            with closing(Caller(RuntimeFolder(folder).executive_socket)) as caller:
+                caller.send(write_desk_message(Listen()))
+                caller.listen(take)
+        except LiveError:
+            wall.sleep(_SCENE_EVERY_S)  # until another executive takes the place of the one that ended
 
 
 def _now() -> Time:

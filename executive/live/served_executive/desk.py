@@ -18,6 +18,7 @@ from executive.live.desk_messages import (
     GetScene,
     HandBack,
     Jog,
+    Listen,
     PauseTask,
     ResumeTask,
     Say,
@@ -139,16 +140,23 @@ class Attended(Protocol):
 
 
 class Order:
-    """A sentence, a script or velocities that somebody wants carried out, and the way back to them."""
+    """A sentence, a script or velocities that somebody wants carried out, and the way back to them.
 
-    def __init__(self, said: Said, connection: Connection) -> None:
-        """Keep both."""
+    Args:
+        said: What is wanted.
+        connection: Whose it is.
+        listeners: Who else hears what becomes of it.
+    """
+
+    def __init__(self, said: Said, connection: Connection, listeners: Sequence[Connection] = ()) -> None:
         self.said = said
         self.connection = connection
+        self._listeners = listeners
 
     def tell(self, line: str) -> None:
         """Send a line of feedback."""
         self.connection.send(write_message("line", text=line))
+        self._let_hear(line)
 
     def ask(self, question: OpenQuestion) -> None:
         """Send a question, in lines for people and as a message for programs."""
@@ -161,6 +169,12 @@ class Order:
         self.connection.send(
             write_message("result", text=line, outcome=outcome, exit_code=int(code), run=run)
         )
+        self._let_hear(line)
+
+    def _let_hear(self, line: str) -> None:
+        for one in self._listeners:
+            if one is not self.connection:
+                one.send(write_message("heard", text=line, by=self.connection.peer.pid))
 
 
 def question_json(question: OpenQuestion) -> dict[str, Any]:
@@ -193,6 +207,7 @@ class Desk:
         self._waiting: deque[Order] = deque()
         self._begun: dict[Connection, list[ScriptLine]] = {}
         self._person: Connection | None = None
+        self._listeners: list[Connection] = []
         self.current: Order | None = None
         self.question: OpenQuestion | None = None
         self.given: list[str] = []
@@ -220,9 +235,14 @@ class Desk:
         message: DeskMessage = strictly(_MESSAGES, read_object(frame.payload))
         match message:
             case GetStatus():
-                connection.send(write_message("status", **self._attended.status()))
+                listeners = len(self._listeners)
+                connection.send(write_message("status", **self._attended.status(), listeners=listeners))
             case GetScene():
                 connection.send(write_message("scene", things=list(self._attended.scene())))
+            case Listen():
+                if connection not in self._listeners:
+                    self._listeners.append(connection)
+                connection.send(write_message("done", listeners=len(self._listeners)))
             case Cancel(reason):
                 under_way = self.current is not None
                 if under_way:
@@ -253,7 +273,7 @@ class Desk:
             case HandBack(ending):
                 self._hand_back(ending, connection)
             case Say():
-                self._queue(Order(message, connection))
+                self._queue(Order(message, connection, self._listeners))
             case ScriptLine():
                 self._collect(message, connection)
 
@@ -263,7 +283,7 @@ class Desk:
         if any(isinstance(one.said, Velocity) and one.connection is connection for one in orders):
             return True
         if not orders:
-            self._queue(Order(message, connection))
+            self._queue(Order(message, connection, self._listeners))
             return True
         connection.send(write_message("refused", reason="the robot is busy with something else"))
         return False
@@ -278,7 +298,7 @@ class Desk:
         if under_way:
             self._attended.take_over()
         else:
-            self._queue(Order(message, connection))
+            self._queue(Order(message, connection, self._listeners))
         connection.send(write_message("done", under_way=under_way))
 
     def _hand_back(self, ending: str, connection: Connection) -> None:
@@ -299,7 +319,7 @@ class Desk:
             raise ProtocolError(f"a script has {MAX_STATEMENTS} statements at most")
         lines.append(line)
         if line.last:
-            self._queue(Order(Script(tuple(self._begun.pop(connection))), connection))
+            self._queue(Order(Script(tuple(self._begun.pop(connection))), connection, self._listeners))
 
     def _queue(self, order: Order) -> None:
         if self.current is not None and self._says_stop(order.said):
@@ -324,6 +344,8 @@ class Desk:
 
     def _ended(self, connection: Connection) -> None:
         self._begun.pop(connection, None)
+        if connection in self._listeners:
+            self._listeners.remove(connection)
         if connection is self._person:
             self._person = None
             self._attended.hand_back("give_up")

@@ -5,12 +5,14 @@ import os
 import pytest
 
 from executive.dialogue.clarification import OpenQuestion
+from executive.exit_codes import ExitCode
 from executive.live.desk_messages import (
     Answer,
     Cancel,
     GetScene,
     HandBack,
     Jog,
+    Listen,
     PauseTask,
     ResumeTask,
     Say,
@@ -122,6 +124,33 @@ def test_without_a_task_there_is_nothing_to_pause_to_resume_or_to_cancel(person,
     assert person.says(Cancel("enough")) == [{"type": "done", "under_way": False}]
     assert ("pause", "a moment") not in attended.heard
     assert ("cancel", "enough") not in attended.heard
+
+
+def test_who_listens_hears_what_others_are_told_of_their_orders_and_whose_they_are(desk, person, another):
+    listener = another()
+    assert listener.says(Listen()) == [{"type": "done", "listeners": 1}]
+    person.says(Say("wave"))
+    order = desk.next_order()
+    order.tell("accepted: wave")
+    order.end("done: wave", "done", ExitCode.DONE)
+
+    heard = [read_object(frame.payload) for frame in listener.connection.receive()]
+    assert [(one["type"], one["text"], one["by"]) for one in heard] == [
+        ("heard", "accepted: wave", os.getpid()),
+        ("heard", "done: wave", os.getpid()),
+    ]
+    assert person.says(GetStatus())[-1]["listeners"] == 1
+
+
+def test_who_listens_is_not_told_twice_of_an_order_of_its_own_nor_after_it_has_gone(desk, person, another):
+    person.says(Listen())
+    person.says(Say("wave"))
+    order = desk.next_order()
+    order.tell("accepted: wave")
+
+    assert [read_object(frame.payload)["type"] for frame in person.connection.receive()] == ["line"]
+    person.connection.close("")
+    assert another().says(GetStatus())[-1]["listeners"] == 0
 
 
 @pytest.mark.requirement("S7")
