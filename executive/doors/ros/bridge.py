@@ -272,7 +272,7 @@ def _ask(robot: ServedRobot, publications: Publications, wall: WallClock) -> Non
 
 
 def _listen(folder: Path, tell: Callable[[str], None], wall: WallClock) -> None:
-    """Tell what others are told of orders that they gave elsewhere; of its own ones the bridge tells already."""
+    """Tell what others are told of orders given elsewhere; of its own ones the bridge tells already."""
     mine = os.getpid()
 
     def take(said: dict[str, Any]) -> bool:
