@@ -28,6 +28,8 @@ from robots.scenes.scene_description import PERCEPTION_KINDS
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
+from tools.evaluate.compare import COMPARE
+from tools.evaluate.compare import main as compare
 from tools.evaluate.digests import run_digests
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
@@ -101,7 +103,10 @@ _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a suite; 0 when every demand is met, 1 when not, 2 for a wrong option, 4 when a signal ended it."""
-    options = _options(arguments)
+    given = sys.argv[1:] if arguments is None else arguments
+    if given[:1] == [COMPARE]:
+        return compare(given[1:])
+    options = _options(given)
     messages = Console(stderr=True)
     options.execution = Execution(options.suite, options.jobs, journal_of(options), options.ray)
     try:
@@ -242,7 +247,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m tools.evaluate",
         description="Random episodes, judged by the simulator's truth.",
-        epilog="\n\n".join(lists) + "\n",
+        epilog="\n\n".join((*lists, f"two results, pair by pair: {COMPARE} A B")) + "\n",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("suite", choices=SUITES, metavar="SUITE", help="one of those below")

@@ -19,9 +19,8 @@ from typing import Any, Generic, TypeVar, get_type_hints
 from pydantic import TypeAdapter, ValidationError
 
 from executive.errors import UserError
+from tools.documents.episode_document import EPISODE_FORMAT, EpisodeDocument
 from tools.evaluate.harness.worker_pool import Cost
-
-FORMAT = "humanoid-executive/episode/1"
 
 Order = TypeVar("Order", bound=Hashable)
 Record = TypeVar("Record")
@@ -48,29 +47,29 @@ class Journal(Generic[Order, Record]):
             UserError: The file cannot be read, or is no journal of this suite.
         """
         wanted = {_key(order): order for order in orders}
-        for number, line in enumerate(self._lines(), 1):
-            if line.get("format") != FORMAT or line.get("suite") != self._suite:
-                told = f"{line.get('format')} of suite {line.get('suite')}"
+        for number, line in enumerate(episodes_of(self._file) if self._file.exists() else (), 1):
+            if line.suite != self._suite:
                 raise UserError(
-                    f"{self._file}, line {number}: {told}; expected {FORMAT} of suite {self._suite}"
+                    f"{self._file}, episode {number}: of suite {line.suite}; expected one of {self._suite}"
                 )
-            order = wanted.pop(json.dumps(line["order"], sort_keys=True), None)
+            order = wanted.pop(json.dumps(line.order, sort_keys=True), None)
             if order is None:
                 continue
             try:
-                yield order, self._reader.validate_python(line["record"])
+                yield order, self._reader.validate_python(line.record)
             except ValidationError as wrong:
                 first = wrong.errors()[0]
                 place = ".".join(map(str, first["loc"]))
-                raise UserError(f"{self._file}, line {number}: record.{place}: {first['msg']}") from None
+                raise UserError(f"{self._file}, episode {number}: record.{place}: {first['msg']}") from None
 
     def add(self, order: Order, record: Record, cost: Cost) -> None:
         """Keep a record: one write of one line, so that a kill never mixes two."""
         line = {
-            "format": FORMAT,
+            "format": EPISODE_FORMAT,
             "suite": self._suite,
             "version": self._version,
             "order": _plain(order),
+            "good": is_good(record),
             "record": _plain(record),
             "cost": _plain(cost),
         }
@@ -87,18 +86,41 @@ class Journal(Generic[Order, Record]):
             file.seek(-1, os.SEEK_END)
             return file.read() == b"\n"
 
-    def _lines(self) -> Iterator[dict[str, Any]]:
+
+def episodes_of(file: Path) -> Iterator[EpisodeDocument]:
+    """The episodes that a journal holds, in the order in which they came; a line that a kill has cut is none.
+
+    Raises:
+        UserError: It cannot be read, or is no journal.
+    """
+    try:
+        rows = file.read_text("utf-8", errors="replace").splitlines()
+    except OSError as wrong:
+        raise UserError(f"cannot read {file}: {wrong.strerror}") from None
+    for number, row in enumerate(rows, 1):
         try:
-            text = self._file.read_text("utf-8", errors="replace") if self._file.exists() else ""
-        except OSError as wrong:
-            raise UserError(f"cannot read {self._file}: {wrong.strerror}") from None
-        for row in text.splitlines():
-            try:
-                line = json.loads(row)
-            except json.JSONDecodeError:
-                continue  # a kill has cut it
-            if isinstance(line, dict):
-                yield line
+            line = json.loads(row)
+        except json.JSONDecodeError:
+            continue
+        try:
+            yield EpisodeDocument.model_validate(line)
+        except ValidationError as wrong:
+            first = wrong.errors()[0]
+            place = ".".join(map(str, first["loc"])) or "it"
+            raise UserError(
+                f"{file}, line {number}: {place}: {first['msg']}; expected a line of {EPISODE_FORMAT}"
+            ) from None
+
+
+def is_good(record: object) -> bool:
+    """Whether a record, or each of several, met every demand on its episode."""
+    if isinstance(record, Sequence):
+        return all(map(is_good, record))
+    if hasattr(record, "faults"):
+        return not record.faults
+    if hasattr(record, "bad"):
+        return not record.bad
+    return not getattr(record, "broken", "")
 
 
 def journal_of(options: argparse.Namespace) -> Path:
