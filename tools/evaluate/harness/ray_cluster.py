@@ -16,7 +16,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from executive.errors import UserError
+from tools.evaluate.harness.shipped_kernel import NOTHING, packed_kernel, unpack_kernel
 from tools.evaluate.harness.worker_pool import (
     DEATHS,
     EPISODES_A_PROCESS,
@@ -63,7 +67,8 @@ def run_on_ray(
     lost = (WorkerCrashedError, NodeDiedError, OutOfMemoryError)
     _join(ray, address, jobs)
     try:
-        remote = ray.remote(num_cpus=1, max_calls=EPISODES_A_PROCESS, max_retries=0)(run_tidily)
+        remote = ray.remote(num_cpus=1, max_calls=EPISODES_A_PROCESS, max_retries=0)(_run)
+        compiled = ray.put(packed_kernel() if address != LOCAL else NOTHING)
         waiting, deaths = deque(orders), dict.fromkeys(orders, 0)
         running: dict[Any, Order] = {}
         while waiting or running:
@@ -71,7 +76,7 @@ def run_on_ray(
             room = 2 * max(1, int(ray.cluster_resources().get("CPU", 1.0)))
             while waiting and len(running) < room:
                 order = waiting.popleft()
-                running[remote.remote(run, order)] = order
+                running[remote.remote(run, order, compiled)] = order
             (found,), _ = ray.wait(list(running), num_returns=1)
             order = running.pop(found)
             try:
@@ -88,6 +93,11 @@ def run_on_ray(
                 yield Ended(order, record, replace(cost, deaths=deaths[order]))
     finally:
         ray.shutdown()
+
+
+def _run(run: Callable[[Order], Record], order: Order, compiled: NDArray[np.uint8]) -> tuple[Record, Cost]:
+    unpack_kernel(compiled)
+    return run_tidily(run, order)
 
 
 def _join(ray: Any, address: str, jobs: int) -> None:
