@@ -8,9 +8,10 @@ place that it must name. Actions that this robot does not have are not drawn.
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+
+import numpy as np
 
 TOLD = ("dinner is ready", "the doctor is here", "we are leaving")
 SIZES = ("biggest", "smallest", "largest")
@@ -78,21 +79,21 @@ class Drawn:
     """Commands drawn from one seed."""
 
     def __init__(self, seed: int, words: FieldWords = ANY_ARENA) -> None:
-        self._random = random.Random(seed)
+        self._rng = np.random.default_rng(seed)
         self._words = words
 
     def _one(self, words: tuple[str, ...]) -> str:
-        return self._random.choice(words)
+        return words[int(self._rng.integers(len(words)))]
 
     def objects(self, many: int) -> Iterator[FieldCommand]:
         """Commands about things."""
         for _ in range(many):
-            yield self._joined(self._random.choice(self._of_objects)(self))
+            yield self._joined(self._of_objects[int(self._rng.integers(len(self._of_objects)))](self))
 
     def people(self, many: int) -> Iterator[FieldCommand]:
         """Commands about people, as far as they are told by name or by where they are."""
         for _ in range(many):
-            yield self._joined(self._random.choice(self._of_people)(self))
+            yield self._joined(self._of_people[int(self._rng.integers(len(self._of_people)))](self))
 
     def _joined(self, parts: list[Part]) -> FieldCommand:
         joint = self._one((" and ", ", then ", " then "))
@@ -109,18 +110,18 @@ class Drawn:
     # ---- what is done with a thing that is held
 
     def _held(self) -> Part:
-        if self._random.random() < 0.5:
+        if self._rng.random() < 0.5:
             place = self._one(self._words.furniture)
             return f"{self._one(PUT)} the {place}", (("place", place),)
-        person = self._random.choice((*self._words.names, "me"))
+        person = self._one((*self._words.names, "me"))
         return f"{self._one(BRING)} {person}", (("hand_over", person),)
 
     def _seen(self) -> list[Part]:
-        if self._random.random() < 0.4:
+        if self._rng.random() < 0.4:
             return [(f"{self._one(('take', 'get', 'grasp'))} it", (("pick", ""),)), self._held()]
         return [
             (
-                f"bring it to {(who := self._random.choice((*self._words.names, 'me')))}",
+                f"bring it to {(who := self._one((*self._words.names, 'me')))}",
                 (("pick", ""), ("hand_over", who)),
             )
         ]
@@ -168,7 +169,7 @@ class Drawn:
     # ---- beginnings about people
 
     def _spoken(self, person: str) -> Part:
-        if person in self._words.names and self._random.random() < 0.3:
+        if person in self._words.names and self._rng.random() < 0.3:
             return "wave to them", (("wave", person),)
         words = self._one(TOLD)
         return f"tell them that {words}", (("say", words),)
@@ -197,7 +198,7 @@ class Drawn:
         ]
 
     def _hello(self, person: str) -> Part:
-        if self._random.random() < 0.3:
+        if self._rng.random() < 0.3:
             return f"wave to {person}", (("wave", person),)
         verb = self._one(("greet", "salute", "say hello to", "introduce yourself to"))
         return f"{verb} {person}", (("greet", person),)

@@ -19,6 +19,8 @@ from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
+from robots.clock import WallClock
+
 DEATHS = 5
 """An order is tried again when its process dies, and given up when so many have died of it."""
 EPISODES_A_PROCESS = 40
@@ -63,10 +65,10 @@ class Ended(Generic[Order, Record]):
 def run_tidily(run: Callable[[Order], Record], order: Order) -> tuple[Record, Cost]:
     """Run one order here, and say what it took."""
     gc.collect()  # a world that nobody holds any more is in no hurry to go by itself
-    began_s, began_processor_s = time.perf_counter(), time.process_time()
+    clock, began_processor_s = WallClock(), time.process_time()
     record = run(order)
     memory_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / _KB_A_MB
-    spent = time.perf_counter() - began_s, time.process_time() - began_processor_s
+    spent = clock.now_s(), time.process_time() - began_processor_s
     return record, Cost(*spent, memory_mb, f"{os.uname().nodename}:{os.getpid()}")
 
 
