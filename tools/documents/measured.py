@@ -16,9 +16,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from scipy.stats import binomtest
-
 from tools.documents.markdown import table
+from tools.evaluate.harness.statistics import interval
 
 FOLDER = Path(__file__).parents[2] / "docs" / "measured"
 _INDEX = "index.md"
@@ -53,12 +52,6 @@ edits them, and earlier results are in git. How an episode is drawn and judged:
 [honesty](../understand/honesty.md). How to run a suite:
 [contributing](../../CONTRIBUTING.md#how-to-measure).
 """
-
-
-def interval(count: int, of: int) -> tuple[float, float]:
-    """The 95 % interval of a share, by Wilson's score."""
-    found = binomtest(count, of).proportion_ci(confidence_level=0.95, method="wilson")
-    return float(found.low), float(found.high)
 
 
 def suite_page(records: Mapping[str, Mapping[str, Any]]) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 from executive.understanding.model_output import model_output_schema
 from executive.understanding.strict_output import strict_output_schema
 from tools.documents.check_report_document import CheckReportDocument
+from tools.documents.episode_document import EpisodeDocument
 from tools.documents.published import schema_of
 from tools.documents.report_document import ReportDocument
 from tools.documents.trajectory_document import TrajectoryDocument
@@ -21,6 +22,7 @@ SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
     "model_output_strict": strict_output_schema,
     "report": lambda: schema_of(ReportDocument, "Report of one run"),
     "check-report": lambda: schema_of(CheckReportDocument, "Report of a check"),
+    "episode": lambda: schema_of(EpisodeDocument, "Episode of an evaluation"),
     "trajectory": lambda: schema_of(TrajectoryDocument, "Stored trajectory"),
 }
 """What makes each, by the file's name without its ending."""

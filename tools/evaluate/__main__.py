@@ -15,7 +15,9 @@ from types import MappingProxyType
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from executive.ending_signals import interrupt_by_all
 from executive.errors import UserError
+from executive.exit_codes import ExitCode
 from executive.runs.run_log import require_writable
 from robots.errors import RobotsError
 from robots.live.wire.faulty_connection import CONNECTION_FAULTS
@@ -26,11 +28,16 @@ from robots.scenes.scene_description import PERCEPTION_KINDS
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.ailing.body_fault import BODY_FAULTS
 from tools.evaluate.ailing.fault_suite import run_fault_suite
+from tools.evaluate.compare import COMPARE
+from tools.evaluate.compare import main as compare
 from tools.evaluate.digests import run_digests
 from tools.evaluate.episode import run_episode
 from tools.evaluate.faults import FAULTS
 from tools.evaluate.front.suite import FRONT_SUITES, run_front_suite
 from tools.evaluate.fusion.suite import FUSION_SUITE, run_fusion_suite
+from tools.evaluate.harness.execution import Execution, run_each
+from tools.evaluate.harness.journal import journal_of, set_aside
+from tools.evaluate.harness.ray_cluster import LOCAL
 from tools.evaluate.held_mass import HELD_MASS_SUITE, run_held_mass
 from tools.evaluate.hostile import run_hostile
 from tools.evaluate.live.connection import run_connection
@@ -45,7 +52,7 @@ from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.perception.camera_faults import CAMERA_FAULTS
 from tools.evaluate.perception.suite import PERCEPTION_SUITE, run_perception
 from tools.evaluate.questions import run_question_episode
-from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.records import EpisodeRecord, Run, Summary, dead_episode
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
@@ -57,7 +64,6 @@ from tools.evaluate.soak import run_soak
 from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.summed_suite import DISTURBED_SUITES, JOG_SUITES, run_summed_suite
-from tools.evaluate.workers import Run, run_all
 
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
@@ -96,9 +102,26 @@ _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a suite; 0 when every demand is met, 1 when not, 2 for a wrong option."""
-    options = _options(arguments)
+    """Run a suite; 0 when every demand is met, 1 when not, 2 for a wrong option, 4 when a signal ended it."""
+    given = sys.argv[1:] if arguments is None else arguments
+    if given[:1] == [COMPARE]:
+        return compare(given[1:])
+    options = _options(given)
     messages = Console(stderr=True)
+    options.execution = Execution(options.suite, options.jobs, journal_of(options), options.ray)
+    try:
+        return _run_suite(options, messages)
+    except KeyboardInterrupt as ended:
+        there = options.execution.journal.exists()
+        kept = f"; --resume goes on after what {options.execution.journal} keeps" if there else ""
+        messages.print(f"{str(ended) or 'cancelled from the keyboard'}{kept}", markup=False, soft_wrap=True)
+        return ExitCode.CANCELLED
+    except UserError as wrong:
+        messages.print(f"error: {wrong}", style="bold", markup=False)
+        return 2
+
+
+def _run_suite(options: argparse.Namespace, messages: Console) -> int:
     try:
         description = load_description(options.robot)
         if options.scene is not None:
@@ -106,6 +129,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if options.json is not None:
             require_writable(options.json)
         _require_folder(options.failed)
+        if not options.resume:
+            set_aside(options.execution.journal)
     except (RobotsError, UserError) as wrong:
         messages.print(f"error: {wrong}", style="bold", markup=False)
         return 2
@@ -177,7 +202,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
     run = _RUNS.get(options.suite, run)
-    records = _run(orders, options.jobs, messages, run)
+    records = _run(orders, options.execution, messages, run)
     make = SkillSummary if skill else Summary
     summary = make(
         options.suite, options.seed, options.fault, description.com_margin_m, records, options.scene
@@ -200,12 +225,14 @@ def _require_folder(folder: Path) -> None:
         raise UserError(f"cannot keep scenes in {folder}: {there} is no folder that you may write")
 
 
-def _run(orders: Sequence[EpisodeOrder], jobs: int, messages: Console, run: Run) -> list[EpisodeRecord]:
+def _run(
+    orders: Sequence[EpisodeOrder], execution: Execution, messages: Console, run: Run
+) -> list[EpisodeRecord]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     records: list[EpisodeRecord] = []
     with Progress(*columns, console=messages) as progress:
         task = progress.add_task("episodes", total=len(orders))
-        for record in run_all(orders, jobs, run):
+        for record in run_each(orders, execution, run, dead_episode):
             records.append(record)
             held = sum(item.truth for item in records)
             progress.update(task, advance=1, description=f"true in {held} of {len(records)}")
@@ -220,7 +247,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m tools.evaluate",
         description="Random episodes, judged by the simulator's truth.",
-        epilog="\n\n".join(lists) + "\n",
+        epilog="\n\n".join((*lists, f"two results, pair by pair: {COMPARE} A B")) + "\n",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("suite", choices=SUITES, metavar="SUITE", help="one of those below")
@@ -253,6 +280,22 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         default=1,
         help="of suite digests: every so manyth run alone; of front and free-speech: simulate these alone",
     )
+    parser.add_argument(
+        "--resume", action="store_true", help="go on where the same suite with the same options was ended"
+    )
+    parser.add_argument(
+        "--journal",
+        type=Path,
+        metavar="FILE",
+        help="keep each record here as it comes (a file in the folder of --failed, named by the options)",
+    )
+    parser.add_argument(
+        "--ray",
+        nargs="?",
+        const=LOCAL,
+        metavar="ADDRESS",
+        help="on a Ray cluster: without ADDRESS one of this machine alone",
+    )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument(
         "--failed",
@@ -281,4 +324,5 @@ def _positive(text: str) -> int:
 
 
 if __name__ == "__main__":
+    interrupt_by_all()
     sys.exit(main())

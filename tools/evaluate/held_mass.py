@@ -16,11 +16,11 @@ from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import chain
 from executive.understanding.command_parser import parse
+from tools.evaluate.harness.execution import run_each
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder
-from tools.evaluate.records import EpisodeRecord, broken_episode
+from tools.evaluate.records import EpisodeRecord, broken_episode, dead_episode
 from tools.evaluate.scenes import TARGET, episode_rng, episode_scene, read_episode_scene, sentence_for
-from tools.evaluate.workers import run_all
 
 HELD_MASS_SUITE = "held_mass"
 MASS_KG = (0.1, 1.5)
@@ -74,7 +74,7 @@ def run_held_mass(options: argparse.Namespace, messages: Console) -> int:
     """Run the suite; 0 when every held cup was weighed nearly enough, and one was held at all."""
     orders = [EpisodeOrder(options.seed + i, options.robot) for i in range(options.episodes)]
     records = []
-    for record in run_all(orders, options.jobs, run_held_mass_episode):
+    for record in run_each(orders, options.execution, run_held_mass_episode, dead_episode):
         records.append(record)
         messages.print(f"seed {record.seed} {record.outcome} {dict(record.numbers)}", markup=False)
     records.sort(key=lambda record: record.seed)

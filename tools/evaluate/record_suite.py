@@ -10,8 +10,8 @@ from typing import Any, Protocol, TypeVar
 from rich.console import Console
 from rich.table import Table
 
+from tools.evaluate.harness.execution import Execution, run_each
 from tools.evaluate.records import Bar
-from tools.evaluate.workers import run_each
 
 _SHOWN = 25
 
@@ -54,7 +54,7 @@ def run_record_suite(
     *,
     line: Callable[[Record], str],
     place: Callable[[Record], tuple[float, ...]],
-    jobs: int,
+    execution: Execution,
     document: Path | None,
     messages: Console,
 ) -> int:
@@ -68,12 +68,12 @@ def run_record_suite(
         summarise: Makes the summary of all records.
         line: What is told of a record, when it comes and, if it has faults, at the end.
         place: Sorts the records.
-        jobs: Number of processes.
+        execution: Where, and what is kept.
         document: Where the JSON goes, or None.
         messages: Takes the progress.
     """
     records: list[Record] = []
-    for found in run_each(orders, jobs, run, died):
+    for found in run_each(orders, execution, run, died):
         for record in found:
             records.append(record)
             messages.print(f"{len(records)}: {line(record)}", markup=False, soft_wrap=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import traceback
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -99,6 +99,10 @@ class EpisodeRecord:
         return {key: _finite(value) for key, value in values.items()}
 
 
+Run = Callable[[EpisodeOrder], EpisodeRecord]
+"""What runs one episode."""
+
+
 def broken_episode(order: EpisodeOrder, broken: Exception) -> EpisodeRecord:
     """The record of an episode in which the evaluation itself broke; called where it was caught."""
     return EpisodeRecord(
@@ -109,6 +113,18 @@ def broken_episode(order: EpisodeOrder, broken: Exception) -> EpisodeRecord:
         failure=f"{type(broken).__name__}: {broken}",
         fault=order.fault,
         detail=traceback.format_exc(),
+    )
+
+
+def dead_episode(order: EpisodeOrder) -> EpisodeRecord:
+    """The record of an episode of which one process after another died."""
+    return EpisodeRecord(
+        seed=order.seed,
+        outcome="error",
+        truth=False,
+        failure_kind="ERROR",
+        failure="every process that ran this episode died",
+        fault=order.fault,
     )
 
 

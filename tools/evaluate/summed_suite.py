@@ -12,12 +12,12 @@ from rich.console import Console
 from robots.models.description import load_description
 from tools.evaluate.disturbed.pushes import PushSummary, run_push_episode
 from tools.evaluate.disturbed.rough import RoughSummary, run_rough_episode
+from tools.evaluate.harness.execution import run_each
 from tools.evaluate.jogging.pick import JogPickSummary, run_jog_pick_episode
 from tools.evaluate.jogging.random_keys import JogSummary, run_jog_episode
 from tools.evaluate.orders import EpisodeOrder
-from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.records import EpisodeRecord, Run, Summary, dead_episode
 from tools.evaluate.report import print_summary
-from tools.evaluate.workers import Run, run_all
 
 _Suites = Mapping[str, tuple[Run, Callable[..., Summary]]]
 
@@ -40,7 +40,7 @@ def run_summed_suite(options: argparse.Namespace, messages: Console) -> int:
     run, make = {**DISTURBED_SUITES, **JOG_SUITES}[options.suite]
     orders = [EpisodeOrder(options.seed + i, options.robot) for i in range(options.episodes)]
     records: list[EpisodeRecord] = []
-    for record in run_all(orders, options.jobs, run):
+    for record in run_each(orders, options.execution, run, dead_episode):
         records.append(record)
         good = sum(item.truth for item in records)
         said = f"{len(records)} of {len(orders)}: seed {record.seed} {record.outcome}, good {good}"

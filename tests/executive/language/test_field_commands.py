@@ -5,7 +5,7 @@ import json
 import pytest
 
 from executive.understanding.command_parser import parse
-from tests.executive.language.field_commands import Drawn
+from tools.evaluate.gpsr.field_commands import Drawn
 
 MANY = 300
 

@@ -2,21 +2,13 @@
 
 import json
 
-import pytest
-
-from tools.documents.measured import interval, main, measured_index, read_records, suite_page
+from tools.documents.measured import main, measured_index, read_records, suite_page
 from tools.evaluate.records import EpisodeRecord, Summary
 
 
 def record(episodes=20, good=19, **more):
     found = [EpisodeRecord(i, "done", i < good, com_margin_m=0.05) for i in range(episodes)]
     return {**Summary("pick", 0, None, 0.02, found).to_json(), **more}
-
-
-def test_an_interval_is_wilsons():
-    low, high = interval(19, 20)
-
-    assert (low, high) == (pytest.approx(0.7639, abs=1e-4), pytest.approx(0.9911, abs=1e-4))
 
 
 def test_a_row_tells_episodes_what_was_good_and_how_sure_that_is():

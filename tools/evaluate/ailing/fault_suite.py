@@ -22,7 +22,7 @@ def run_fault_suite(options: argparse.Namespace, messages: Console) -> int:
         partial(FaultSummary, options.fault, options.seed),
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

@@ -35,7 +35,7 @@ def run_fusion_suite(options: argparse.Namespace, messages: Console) -> int:
         summarise,
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

@@ -36,7 +36,7 @@ def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
         partial(OpeningSummary, options.suite, options.seed, fault=options.fault),
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

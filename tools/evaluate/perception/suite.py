@@ -11,10 +11,10 @@ from rich.console import Console
 from rich.table import Table
 
 from robots.scenes.light import LightKind
+from tools.evaluate.harness.execution import run_each
 from tools.evaluate.perception.drawing import draw_calibration, draw_worst
 from tools.evaluate.perception.judge import Bench, PictureRecord
 from tools.evaluate.perception.summary import PerceptionSummary
-from tools.evaluate.workers import run_each
 
 PERCEPTION_SUITE = "perception"
 _A_RUN = 10
@@ -34,7 +34,7 @@ def run_perception(options: argparse.Namespace, messages: Console) -> int:
     seeds = range(options.seed, options.seed + options.episodes)
     orders = [PictureOrder(tuple(seeds[i : i + _A_RUN]), options.light) for i in range(0, len(seeds), _A_RUN)]
     records: list[PictureRecord] = []
-    for some in run_each(orders, options.jobs, judge_pictures, _died):
+    for some in run_each(orders, options.execution, judge_pictures, _died):
         records += some
         messages.print(f"{len(records)} of {len(seeds)} pictures")
         if options.pictures is not None:

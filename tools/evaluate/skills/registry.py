@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from tools.evaluate.gpsr import exam
 from tools.evaluate.people import following, greeting, guiding
 from tools.evaluate.skills import (
     carrying,
@@ -53,5 +54,6 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "follow_lost": following.FOLLOW_LOST,
         "guide": guiding.GUIDE,
         "guide_left": guiding.GUIDE_LEFT,
+        "gpsr": exam.GPSR,
     }
 )

@@ -22,7 +22,7 @@ def run_stop_suite(options: argparse.Namespace, messages: Console) -> int:
         partial(StopSummary, options.suite, options.seed),
         line=_line,
         place=lambda record: (record.seed, record.t_s),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

@@ -8,27 +8,11 @@ place that it must name. Actions that this robot does not have are not drawn.
 
 from __future__ import annotations
 
-import random
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 
-ROOMS = ("kitchen", "bedroom", "living room", "office", "hallway", "bathroom")
-FURNITURE = ("shelf", "kitchen table", "desk", "sofa", "side table", "counter", "coffee table", "nightstand")
-THINGS = (
-    "apple",
-    "cup",
-    "bottle",
-    "sponge",
-    "cereal box",
-    "tennis ball",
-    "orange",
-    "bowl",
-    "spoon",
-    "plate",
-    "can",
-)
-KINDS = ("cups", "bottles", "apples", "spoons", "plates", "bowls")
-NAMES = ("Ana", "Paris", "Charlie", "Robin", "Jules", "Simone", "Morgan", "Angel")
+import numpy as np
+
 TOLD = ("dinner is ready", "the doctor is here", "we are leaving")
 SIZES = ("biggest", "smallest", "largest")
 
@@ -53,27 +37,63 @@ class FieldCommand:
     does: tuple[tuple[str, str], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class FieldWords:
+    """What an arena declares.
+
+    Attributes:
+        rooms, furniture, things: Their names.
+        kinds: Of things that are counted, in the plural.
+        names: Of people.
+        where: The furniture on which a thing is, for those of which a command must tell it rightly.
+        room_of: The room of a person, or of what things are on.
+    """
+
+    rooms: tuple[str, ...]
+    furniture: tuple[str, ...]
+    things: tuple[str, ...]
+    kinds: tuple[str, ...]
+    names: tuple[str, ...]
+    where: Mapping[str, str] = field(default_factory=dict)
+    room_of: Mapping[str, str] = field(default_factory=dict)
+
+
+ANY_ARENA = FieldWords(
+    rooms=("kitchen", "bedroom", "living room", "office", "hallway", "bathroom"),
+    furniture=(
+        "shelf", "kitchen table", "desk", "sofa", "side table", "counter", "coffee table", "nightstand",
+    ),
+    things=(
+        "apple", "cup", "bottle", "sponge", "cereal box", "tennis ball", "orange", "bowl", "spoon", "plate",
+        "can",
+    ),
+    kinds=("cups", "bottles", "apples", "spoons", "plates", "bowls"),
+    names=("Ana", "Paris", "Charlie", "Robin", "Jules", "Simone", "Morgan", "Angel"),
+)  # fmt: skip
+"""Words for sentences alone: nothing is anywhere."""
+
 Part = tuple[str, tuple[tuple[str, str], ...]]
 
 
 class Drawn:
     """Commands drawn from one seed."""
 
-    def __init__(self, seed: int) -> None:
-        self._random = random.Random(seed)
+    def __init__(self, seed: int, words: FieldWords = ANY_ARENA) -> None:
+        self._rng = np.random.default_rng(seed)
+        self._words = words
 
     def _one(self, words: tuple[str, ...]) -> str:
-        return self._random.choice(words)
+        return words[int(self._rng.integers(len(words)))]
 
     def objects(self, many: int) -> Iterator[FieldCommand]:
         """Commands about things."""
         for _ in range(many):
-            yield self._joined(self._random.choice(self._of_objects)(self))
+            yield self._joined(self._of_objects[int(self._rng.integers(len(self._of_objects)))](self))
 
     def people(self, many: int) -> Iterator[FieldCommand]:
         """Commands about people, as far as they are told by name or by where they are."""
         for _ in range(many):
-            yield self._joined(self._random.choice(self._of_people)(self))
+            yield self._joined(self._of_people[int(self._rng.integers(len(self._of_people)))](self))
 
     def _joined(self, parts: list[Part]) -> FieldCommand:
         joint = self._one((" and ", ", then ", " then "))
@@ -81,21 +101,27 @@ class Drawn:
             joint.join(words for words, _ in parts), tuple(one for _, does in parts for one in does)
         )
 
+    def _place_of(self, thing: str) -> str:
+        return self._words.where.get(thing) or self._one(self._words.furniture)
+
+    def _room_of(self, what: str) -> str:
+        return self._words.room_of.get(self._words.where.get(what, what)) or self._one(self._words.rooms)
+
     # ---- what is done with a thing that is held
 
     def _held(self) -> Part:
-        if self._random.random() < 0.5:
-            place = self._one(FURNITURE)
+        if self._rng.random() < 0.5:
+            place = self._one(self._words.furniture)
             return f"{self._one(PUT)} the {place}", (("place", place),)
-        person = self._random.choice((*NAMES, "me"))
+        person = self._one((*self._words.names, "me"))
         return f"{self._one(BRING)} {person}", (("hand_over", person),)
 
-    def _seen(self, thing: str) -> list[Part]:
-        if self._random.random() < 0.4:
+    def _seen(self) -> list[Part]:
+        if self._rng.random() < 0.4:
             return [(f"{self._one(('take', 'get', 'grasp'))} it", (("pick", ""),)), self._held()]
         return [
             (
-                f"bring it to {(who := self._random.choice((*NAMES, 'me')))}",
+                f"bring it to {(who := self._one((*self._words.names, 'me')))}",
                 (("pick", ""), ("hand_over", who)),
             )
         ]
@@ -103,24 +129,27 @@ class Drawn:
     # ---- beginnings about things
 
     def _taken(self) -> list[Part]:
-        thing, place = self._one(THINGS), self._one(FURNITURE)
+        place = self._place_of(thing := self._one(self._words.things))
         return [(f"{self._one(TAKE)} the {thing} from the {place}", (("pick", thing),)), self._held()]
 
     def _sought(self) -> list[Part]:
-        thing, room = self._one(THINGS), self._one(ROOMS)
+        room = self._room_of(thing := self._one(self._words.things))
         article = "an" if thing[0] in "aeiou" else "a"
         return [
             (f"{self._one(FIND)} {article} {thing} in the {room}", (("find", thing),)),
-            *self._seen(thing),
+            *self._seen(),
         ]
 
     def _gone(self) -> list[Part]:
-        room, thing = self._one(ROOMS), self._one(THINGS)
+        if self._words.where:
+            room = self._room_of(thing := self._one(self._words.things))
+        else:
+            room, thing = self._one(self._words.rooms), self._one(self._words.things)
         begun: Part = (f"{self._one(GO)} the {room}", (("walk_to", room),))
-        return [begun, (f"{self._one(FIND)} the {thing}", (("find", thing),)), *self._seen(thing)]
+        return [begun, (f"{self._one(FIND)} the {thing}", (("find", thing),)), *self._seen()]
 
     def _brought(self) -> list[Part]:
-        thing, place = self._one(THINGS), self._one(FURNITURE)
+        place = self._place_of(thing := self._one(self._words.things))
         article = "an" if thing[0] in "aeiou" else "a"
         verb = self._one(("bring me", "give me"))
         does = ("hand_over", thing) if verb == "give me" else ("pick", thing)
@@ -128,11 +157,11 @@ class Drawn:
         return [(f"{verb} {article} {thing} from the {place}", (does, *more))]
 
     def _counted(self) -> list[Part]:
-        kinds, place = self._one(KINDS), self._one(FURNITURE)
+        kinds, place = self._one(self._words.kinds), self._one(self._words.furniture)
         return [(f"tell me how many {kinds} there are on the {place}", (("count", kinds.rstrip("s")),))]
 
     def _ranked(self) -> list[Part]:
-        size, place = self._one(SIZES), self._one(FURNITURE)
+        size, place = self._one(SIZES), self._one(self._words.furniture)
         return [(f"tell me what is the {size} object on the {place}", (("describe", ""),))]
 
     _of_objects = (_taken, _taken, _sought, _gone, _brought, _counted, _ranked)
@@ -140,20 +169,21 @@ class Drawn:
     # ---- beginnings about people
 
     def _spoken(self, person: str) -> Part:
-        if person in NAMES and self._random.random() < 0.3:
+        if person in self._words.names and self._rng.random() < 0.3:
             return "wave to them", (("wave", person),)
         words = self._one(TOLD)
         return f"tell them that {words}", (("say", words),)
 
     def _met(self) -> list[Part]:
-        person = self._one(NAMES)
+        person = self._one(self._words.names)
+        met = self._one(("meet", "find"))
         return [
-            (f"{self._one(('meet', 'find'))} {person} in the {self._one(ROOMS)}", ((("", person)),)),
+            (f"{met} {person} in the {self._room_of(person)}", (("", person),)),
             self._spoken(person),
         ]
 
     def _reached(self) -> list[Part]:
-        person, room = self._one(NAMES), self._one(ROOMS)
+        room = self._room_of(person := self._one(self._words.names))
         words = self._one(TOLD)
         return [
             (f"{self._one(GO)} the {room}", (("walk_to", room),)),
@@ -161,35 +191,43 @@ class Drawn:
         ]
 
     def _greeted(self) -> list[Part]:
-        person, room = self._one(NAMES), self._one(ROOMS)
+        room = self._room_of(person := self._one(self._words.names))
         return [
             (f"{self._one(GO)} the {room}", (("walk_to", room),)),
             self._hello(person),
         ]
 
     def _hello(self, person: str) -> Part:
-        if self._random.random() < 0.3:
+        if self._rng.random() < 0.3:
             return f"wave to {person}", (("wave", person),)
         verb = self._one(("greet", "salute", "say hello to", "introduce yourself to"))
         return f"{verb} {person}", (("greet", person),)
 
     def _led(self) -> list[Part]:
-        person, room = self._one(NAMES), self._one(ROOMS)
+        room = self._room_of(person := self._one(self._words.names))
         action = self._one(("follow", "guide"))
         verb = "follow" if action == "follow" else self._one(("guide", "escort", "take", "lead"))
-        return [(f"{verb} {person} from the {self._one(FURNITURE)} to the {room}", ((action, room),))]
+        return [
+            (f"{verb} {person} from the {self._one(self._words.furniture)} to the {room}", ((action, room),))
+        ]
 
     def _answered(self) -> list[Part]:
-        person, room = self._one(NAMES), self._one(ROOMS)
+        room = self._room_of(person := self._one(self._words.names))
         told = self._one(("the time", "what day is today", "your teams name", "something about yourself"))
         found = f"{self._one(FIND)} {person} in the {room}"
         return [(found, (("find", person),)), (f"tell {told}", (("answer", ""),))]
 
     def _people_counted(self) -> list[Part]:
-        return [(f"tell me how many people are in the {(room := self._one(ROOMS))}", (("count", room),))]
+        return [
+            (
+                f"tell me how many people are in the {(room := self._one(self._words.rooms))}",
+                (("count", room),),
+            )
+        ]
 
     def _served(self) -> list[Part]:
-        thing, person, place = self._one(THINGS), self._one(NAMES), self._one(FURNITURE)
+        thing, person = self._one(self._words.things), self._one(self._words.names)
+        place = self._place_of(thing)
         return [
             (
                 f"{self._one(('bring', 'deliver'))} the {thing} from the {place} to {person}",
