@@ -187,14 +187,14 @@ class ManualControl:
         if self._walk is None:
             if walking.active:
                 return ""  # its last steps
-            self._walk = walking.walk(VelocitySteering(settings, *wanted), "jog the base")
+            self._walk = walking.walk(VelocitySteering(settings, *wanted, quick=True), "jog the base")
             self._wanted, self._finishing = wanted, False
         elif self._walk.finished or self._finishing:
             why = self._walk.reason if self._walk.status is MotionStatus.REFUSED else ""
             self._stand()
             return why
         elif wanted != self._wanted:
-            walking.steer(self._walk, VelocitySteering(settings, *wanted))
+            walking.steer(self._walk, VelocitySteering(settings, *wanted, quick=True))
             self._wanted = wanted
         return ""
 

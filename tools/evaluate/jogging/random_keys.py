@@ -55,8 +55,8 @@ class Watch:
         fell: Whether the robot fell.
         beyond: Joints that were measured beyond their range.
         rested_s: Simulated time since which nothing of trunk, arms, head and fingers has moved.
-        stood_s: The same of the base.
-        ended_s: Simulated time since which no walk is under way, its settling included.
+        stood_s: Simulated time since which the base has not moved.
+        ended_s: Simulated time since which both feet stand and no walk is under way, its settling included.
     """
 
     def __init__(self, assembly: Assembly) -> None:
@@ -110,7 +110,6 @@ class Held:
     mode: str
     stopped_s: float = 0.0
     stood_s: float = 0.0
-    ended_s: float = 0.0
     held_back: str = ""
     way_out: bool = True
 
@@ -168,8 +167,7 @@ class RandomKeys:
         yield from silent(2.8 if walks else 0.6)
         if last_s is not None:
             told.stopped_s = max(0.0, self._watch.rested_s - last_s)
-            told.stood_s = max(0.0, self._watch.stood_s - last_s)
-            told.ended_s = max(0.0, self._watch.ended_s - last_s)
+            told.stood_s = max(0.0, max(self._watch.stood_s, self._watch.ended_s) - last_s)
         if told.held_back and key not in "gf":
             yield from self._way_out(key, mode, told)
         self.told.append(told)
@@ -247,7 +245,6 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
             "refused": refused,
             "stopped_s": stopped_s,
             "stood_s": stood_s,
-            "walk_ended_s": max((one.ended_s for one in walks), default=0.0),
             "trapped": len(trapped),
             "held_back": sum(bool(one.held_back) for one in keys.told),
             "walks": len(walks),
