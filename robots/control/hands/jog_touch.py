@@ -1,7 +1,7 @@
 """What an arm that a person jogs presses against although nobody has seen it, felt in its efforts.
 
 The motors give what the motion needs, which the model knows, and what something outside takes. Jogging is
-slow and gentle, so that little of the difference is its own: of a free arm at most an eighth of what counts as
+slow and gentle, so that little of the difference is its own: of a free arm at most an eighth of what means
 contact was seen. Whatever turns the joints along with what they give beyond the need presses on; the way
 back gives work back, and so the two are told apart. A hand that was stopped by something gives way until it
 hardly presses.
@@ -40,7 +40,7 @@ class JogTouch:
         holds: Whether a hand's fingers hold something: its weight is no contact.
 
     Attributes:
-        felt_nm: What is felt beyond the need, by body joint, shape (n,), while that counts as contact, or None.
+        felt_nm: What is felt beyond the need, by body joint, shape (n,), while that is a touch, or None.
         told: The same for people; empty when nothing is felt.
         easing: Rates of the body joints that give way to it, shape (n,), rad/s.
     """
