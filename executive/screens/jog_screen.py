@@ -97,5 +97,5 @@ def _speed(jogged: Jogged) -> str:
 
 
 def _manner(jogged: Jogged) -> str:
-    manner = "a step a key" if jogged.steps else "held down it goes on"
+    manner = "step" if jogged.steps else "hold"
     return manner + (", fingers may touch" if jogged.may_touch else "")
