@@ -9,6 +9,8 @@ from collections.abc import Callable, Iterable
 from typing import Protocol
 
 from executive.dialogue.clarification import OpenQuestion
+from executive.manual.word_text import read_word
+from executive.manual.words import ENDINGS, JogFeed, TakenOver
 from executive.session.by_hand import ByHand
 from executive.session.cancellation import Cancellation
 from executive.session.events import InputTaken
@@ -96,6 +98,8 @@ class RecordedAttendant:
     def begin(self, session: Stoppable) -> None:
         """Have an eye on each control period: an emergency stop does not wait for a tick."""
         self._session = session
+        if any(item.what == "take_over" for item in self._inputs):
+            session.hands.offer = lambda _failure: self._takes_over("after its failure", session.now_s)
         if any(item.what == "emergency_stop" for item in self._inputs):
             session.watch_periods(lambda: self._stop_when_due(session))
         if (cancel := self._next("cancel", 0.0)) is not None:  # while the robot was being put together
@@ -117,7 +121,12 @@ class RecordedAttendant:
         return None
 
     def attend(self, session: Stoppable) -> None:
-        """Cancel, pause and resume when that was done."""
+        """Cancel, pause and resume when that was done; jog as it was jogged."""
+        feed = session.hands.feed
+        if feed.active:
+            self._jog(feed, session.now_s)
+        elif self._takes_over("in its middle", session.now_s):
+            feed.take_over()
         while (item := self._next_of(("pause", "resume"), session.now_s)) is not None:
             if item.what == "pause":
                 session.pause(item.value)
@@ -127,6 +136,22 @@ class RecordedAttendant:
             return  # a question comes first, and the cancel, if there is one, while it was open
         while (item := self._next("cancel", session.now_s)) is not None:
             session.cancel(item.value)
+
+    def _takes_over(self, when: TakenOver, now_s: float) -> bool:
+        """Whether a person has taken over so, and now."""
+        first = next((item for item in self._inputs if item.what == "take_over"), None)
+        return first is not None and first.value == when and self._next("take_over", now_s) is not None
+
+    def _jog(self, feed: JogFeed, now_s: float) -> None:
+        while (item := self._next_of(("jog", "hand_back"), now_s)) is not None:
+            if item.what == "hand_back":
+                feed.hand_back(next(ending for ending in ENDINGS if ending == item.value))
+                continue
+            word, feed.may_touch = read_word(item.value)
+            if word is None:
+                feed.brake()
+            else:
+                feed.say(word, now_s)
 
     def _stop_when_due(self, session: Stoppable) -> None:
         while (item := self._next("emergency_stop", session.now_s)) is not None:

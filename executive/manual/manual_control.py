@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from executive.manual.base_room import hand_meets, why_no_room
 from executive.manual.standing_look import StandingLook
 from executive.manual.words import BaseJog, GripJog, HeardWord, JogFeed
 from kinematics.following.jog_reference import HandJog, JointJog
@@ -15,7 +16,6 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.walking.pattern.steering import VelocitySteering
-from kinematics.walking.route.room import stopping_distance_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.skills.walking.walking_leaf import without_held
 from trees.skills.walking.walking_room import walking_room
@@ -23,8 +23,6 @@ from trees.toolbox import JoggingMotion, Toolbox
 
 _LOOK_EVERY_S = 0.1
 """From one look at what the range sensor sees to the next."""
-_TURN_AHEAD_RAD = 0.5
-"""So far a turn on the spot has to have room."""
 
 
 class ManualControl:
@@ -187,14 +185,14 @@ class ManualControl:
         if self._walk is None:
             if walking.active:
                 return ""  # its last steps
-            self._walk = walking.walk(VelocitySteering(settings, *wanted), "jog the base")
+            self._walk = walking.walk(VelocitySteering(settings, *wanted, quick=True), "jog the base")
             self._wanted, self._finishing = wanted, False
         elif self._walk.finished or self._finishing:
             why = self._walk.reason if self._walk.status is MotionStatus.REFUSED else ""
             self._stand()
             return why
         elif wanted != self._wanted:
-            walking.steer(self._walk, VelocitySteering(settings, *wanted))
+            walking.steer(self._walk, VelocitySteering(settings, *wanted, quick=True))
             self._wanted = wanted
         return ""
 
@@ -211,7 +209,7 @@ class ManualControl:
             self._finishing = True
 
     def _why_no_way(self, word: BaseJog, settings: WalkingSettings) -> str:
-        """What the range sensor sees in the way; looked at a few times a second."""
+        """What is in the way of hands and body; looked at a few times a second."""
         toolbox, now_s = self._toolbox, self._toolbox.clock.now_s()
         if toolbox.ranging is None:
             return ""
@@ -220,19 +218,10 @@ class ManualControl:
         points = toolbox.ranging.scan()
         if points is None:
             return "the range sensor has shown nothing yet"
-        self._looked_s, self._blocked = now_s, ""
-        points, room = without_held(toolbox, points), walking_room(toolbox, settings)
-        if word.linear_m_s == 0.0 and self._walk is not None:
-            return ""
-        if word.linear_m_s == 0.0:
-            part = room.turn_meets(points, math.copysign(_TURN_AHEAD_RAD, word.angular_rad_s))
-            self._blocked = "" if part is None else f"there is no room to turn for the {part}"
-            return self._blocked
-        free_m = room.free_way_m(points, word.linear_m_s)
-        if free_m <= (needed_m := stopping_distance_m(settings, word.linear_m_s)):
-            where = "ahead" if word.linear_m_s > 0.0 else "behind"
-            self._blocked = (
-                f"an obstacle is {max(free_m, 0.0):.2f} m {where}, nearer than the stopping distance of "
-                f"{needed_m:.2f} m"
-            )
+        self._looked_s = now_s
+        q, scene = toolbox.sensing.state().q, toolbox.world.scene
+        self._blocked = hand_meets(toolbox.model, q, scene, settings, word)
+        if not self._blocked and not (word.linear_m_s == 0.0 and self._walk is not None):
+            room = walking_room(toolbox, settings)
+            self._blocked = why_no_room(room, without_held(toolbox, points), settings, word)
         return self._blocked

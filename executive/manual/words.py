@@ -32,6 +32,10 @@ class GripJog:
     opens: bool
 
 
+TakenOver = Literal["in its middle", "after its failure", "from the beginning"]
+"""When a person took a task over; a record keeps it, so that a replay does so at the same point."""
+TAKEN_OVER: tuple[TakenOver, ...] = get_args(TakenOver)
+
 BY_HAND = "jog the robot"
 
 

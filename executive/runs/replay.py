@@ -1,14 +1,15 @@
 """A recorded run again: the same words, scene, seed and inputs; compared event by event.
 
 The events of a run in lockstep are the same to the last byte on the same machine with the same versions.
-Answers, cancels and emergency stops are given again at the simulated instants at which they took effect.
+Answers, cancels, emergency stops and the words of a person who jogged are given again at the simulated
+instants at which they took effect.
 """
 
 from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from executive.dialogue.attendant import RecordedAttendant, Stoppable
 from executive.errors import UserError
 from executive.front.front_model import FrontModel
 from executive.front.recorded import recorded_front
+from executive.manual.word_text import read_word
+from executive.manual.words import ENDINGS, TAKEN_OVER
 from executive.robot_settings import RobotSettings, settings_from_json
 from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun
@@ -106,7 +109,7 @@ class _WatchfulAttendant(RecordedAttendant):
     """Gives the recorded inputs, and ends a run that has left the recorded one."""
 
     def __init__(
-        self, inputs: Iterator[InputTaken], cancellation: Cancellation, comparison: _Comparison, whole: bool
+        self, inputs: Iterable[InputTaken], cancellation: Cancellation, comparison: _Comparison, whole: bool
     ) -> None:
         super().__init__(inputs, cancellation)
         self._comparison, self._whole = comparison, whole
@@ -135,7 +138,9 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     comparison = _Comparison(lines)
     whole = bool(recorded.report)
     cancellation = Cancellation()
-    attendant = _WatchfulAttendant(_inputs(lines), cancellation, comparison, whole)
+    inputs = list(_inputs(lines))
+    _require_words(recorded, inputs)
+    attendant = _WatchfulAttendant(inputs, cancellation, comparison, whole)
     tell(f"replaying {recorded.name}: {recorded.header.get('input', '')!r}, {len(lines)} events")
     with tempfile.TemporaryDirectory() as folder:
         request = _request(recorded, lines, Path(folder))
@@ -146,6 +151,21 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     if not whole and difference is not None and difference.recorded == "":
         return ReplayVerdict(len(lines), None, cut_off=True)
     return ReplayVerdict(comparison.count, difference, cut_off=not whole)
+
+
+def _require_words(recorded: RecordedRun, inputs: Iterable[InputTaken]) -> None:
+    """What a person who jogged has said has to be in the record, and to be words."""
+    for item in inputs:
+        try:
+            if item.what == "take_over" and item.value not in TAKEN_OVER:
+                raise ValueError("what was said to the robot then was not recorded")
+            if item.what == "hand_back" and item.value not in ENDINGS:
+                raise ValueError(f"it was given back by {item.value[:20]!r}")
+            if item.what == "jog":
+                read_word(item.value)
+        except ValueError as wrong:
+            reason = f"a person jogged the robot {item.t_s:.2f} s after its beginning: {wrong}"
+            raise NotReplayableError(recorded.name, reason) from wrong
 
 
 def _request(recorded: RecordedRun, lines: list[str], folder: Path) -> RunRequest:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -23,6 +24,7 @@ _ALL = (
     "g close   f open fingers   [ ] - = head   p fingers may touch",
     "space brake   enter give back",
 )
+_INDENT, _MOST_LINES = 8, 3
 _ENDING = (
     "1 it is in the right hand   2 it is in the left hand",
     "3 go on by yourself   4 give up   space jog on",
@@ -52,20 +54,26 @@ class JogScreen:
 def jog_lines(screen: JogScreen, width: int = 80) -> list[str]:
     """The lines, none wider than the terminal."""
     jogged = screen.jogged
+    held = f"back: {screen.held_back}" if screen.held_back else "back by nothing"
     lines = [
-        f"task    {screen.task or 'none'}",
-        f"jog     {_moved(jogged)}, {jogged.pace}: {_speed(jogged)}, {_manner(jogged)}",
-        f"held    {f'back: {screen.held_back}' if screen.held_back else 'back by nothing'}",
+        *_told("task", screen.task or "none", width),
+        *_told("jog", f"{_moved(jogged)}, {jogged.pace}: {_speed(jogged)}, {_manner(jogged)}", width),
+        *_told("held", held, width),
+        *(_told("robot", screen.line, width) if screen.line else ()),
     ]
-    if screen.line:
-        lines.append(f"robot   {screen.line}")
     if screen.ending:
         lines += [f"{'what is so?' if k == 0 else '':13}{line}" for k, line in enumerate(_ENDING)]
     else:
         lines += [f"{'keys' if k == 0 else '':8}{line}" for k, line in enumerate(_OWN[jogged.mode])]
         lines += [f"{'always' if k == 0 else '':8}{line}" for k, line in enumerate(_ALL)]
-    plain = ("".join(one if one.isprintable() else " " for one in line) for line in lines)
-    return [line if len(line) <= width else line[: max(width - 1, 0)] + "~" for line in plain]
+    return [line if len(line) <= width else line[: max(width - 1, 0)] + "~" for line in lines]
+
+
+def _told(head: str, text: str, width: int) -> list[str]:
+    """A line with its head, or more where it is wider than the terminal: none of a reason is lost."""
+    plain = "".join(one if one.isprintable() else " " for one in text)
+    told = textwrap.wrap(plain, max(width - _INDENT, 1), max_lines=_MOST_LINES, placeholder=" ~")
+    return [f"{head if k == 0 else '':{_INDENT}}{line}" for k, line in enumerate(told or [""])]
 
 
 def _moved(jogged: Jogged) -> str:
@@ -89,5 +97,5 @@ def _speed(jogged: Jogged) -> str:
 
 
 def _manner(jogged: Jogged) -> str:
-    manner = "a step a key" if jogged.steps else "held down it goes on"
+    manner = "step" if jogged.steps else "hold"
     return manner + (", fingers may touch" if jogged.may_touch else "")

@@ -8,7 +8,8 @@ from typing import Any, Protocol
 
 from executive.manual.handed_back import HoldCheck, hand_of, note_held
 from executive.manual.manual_control import ManualControl
-from executive.manual.words import ByHandTask, Ending, JogFeed
+from executive.manual.word_text import write_word
+from executive.manual.words import ByHandTask, Ending, JogFeed, TakenOver
 from executive.session.events import EventSink, InputTaken
 from executive.session.task_result import Outcome
 from trees.failures import Failure, FailureKind, Number
@@ -63,6 +64,8 @@ class ByHand:
         self._interruption = interruption
         self.feed = JogFeed()
         self.offer: Callable[[Failure], bool] | None = None
+        self._noted = False
+        self._said = (0, False)
 
     @property
     def asked(self) -> bool:
@@ -74,25 +77,35 @@ class ByHand:
         if self.feed.asked and outcome == "done":
             self.feed.asked = False  # it was done before the person had it
         if self.feed.asked:
+            self.note_asked("in its middle")
             return True
         if outcome != "failed" or failure is None or self.offer is None:
             return False
         if self.offer(failure):
-            self.feed.take_over()
+            self.take_over("after its failure")
         return self.feed.asked
+
+    def take_over(self, when: TakenOver) -> None:
+        """Let a person have what is under way."""
+        self.feed.take_over()
+        self.note_asked(when)
+
+    def note_asked(self, when: TakenOver) -> None:
+        """Tell that a person wants what is under way, once, at the instant at which it is known."""
+        if not self._noted:
+            self._noted = True
+            self._sink(InputTaken(self._toolbox.clock.now_s(), "take_over", when))
 
     def steps(self, command: Any) -> Generator[None, object, GivenBack]:
         """Be jogged until the robot is given back, then measure what is said to be so."""
         feed = self.feed
-        feed.asked, feed.active = False, True
-        self._sink(InputTaken(self._toolbox.clock.now_s(), "take_over", "a person"))
+        feed.asked, feed.active, self._noted = False, True, False
         try:
             ending = yield from self._jogged()
         finally:
             feed.active = False
         if isinstance(ending, Failure):
             return GivenBack("cancelled", ending, {})
-        self._sink(InputTaken(self._toolbox.clock.now_s(), "hand_back", ending))
         hand, alone = hand_of(ending), isinstance(command, ByHandTask)
         if hand is None and alone:
             return GivenBack("done", None, {})
@@ -120,10 +133,12 @@ class ByHand:
             if (ended := self._interruption()) is not None:
                 control.end()
                 return ended
+            self._note_said()
             control.tick()
             self._lockstep.tick()
             yield
         ending: Ending = feed.ending
+        self._sink(InputTaken(self._toolbox.clock.now_s(), "hand_back", ending))
         while not control.at_rest:
             if (ended := self._interruption()) is not None:
                 return ended
@@ -131,3 +146,12 @@ class ByHand:
             self._lockstep.tick()
             yield
         return ending
+
+    def _note_said(self) -> None:
+        """Tell what the person has said since the last tick: with it a run can be repeated."""
+        newest, may_touch = self.feed.newest, self.feed.may_touch
+        said = (0 if newest is None else newest.number, may_touch)
+        if said != self._said:
+            self._said = said
+            words = write_word(None if newest is None else newest.word, may_touch)
+            self._sink(InputTaken(self._toolbox.clock.now_s(), "jog", words))

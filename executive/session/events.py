@@ -53,14 +53,15 @@ class QuestionAsked:
 
 @dataclass(frozen=True, slots=True)
 class InputTaken:
-    """Somebody's input took effect: an answer, a cancel, an emergency stop, a reset.
+    """Somebody's input took effect: an answer, a cancel, an emergency stop, a reset, a person's word.
 
     Together with what was asked for, the seed and the scene these make a run repeatable.
 
     Attributes:
         t_s: Simulated time at which it took effect.
-        what: "answer", "cancel", ...
-        value: The answer's words, the reason of a cancel; "" for a question that nobody answered.
+        what: "answer", "cancel", "take_over", "jog", ...
+        value: The answer's words, the reason of a cancel, what a person who jogs said, as text; "" for a
+            question that nobody answered.
     """
 
     t_s: float

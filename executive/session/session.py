@@ -272,7 +272,7 @@ class Session:
         else:
             limit_s = _usual_limit_s(command) if timeout_s is None else timeout_s
             if by_hand:
-                self.hands.feed.take_over()
+                self.hands.take_over("from the beginning")
                 outcome = "cancelled", None
             else:
                 tree = (self._build or build_tree)(command, self._toolbox)
@@ -347,6 +347,7 @@ class Session:
             if (cancelled := self._cancelled()) is not None:
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, cancelled.message)
             if self.hands.asked:
+                self.hands.note_asked("in its middle")
                 return "cancelled", self._halt(tree, FailureKind.CANCELED, "a person takes over")
             if self._pause.follow():
                 before_s = self.now_s

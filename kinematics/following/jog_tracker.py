@@ -67,6 +67,25 @@ class Postures(Protocol):
         ...
 
 
+class Resistance(Protocol):
+    """What is felt against the motion.
+
+    Attributes:
+        told: What it is, for people.
+    """
+
+    told: str
+
+    @property
+    def easing(self) -> Array:
+        """Rates of the body joints that give way to it, shape (n,)."""
+        ...
+
+    def presses(self, rates: Array) -> bool:
+        """Whether rates of the body joints, shape (n,), press on against it."""
+        ...
+
+
 class JogTracker:
     """Moves trunk, arms and head as they are jogged; the feet and the pelvis stay where they are.
 
@@ -75,20 +94,23 @@ class JogTracker:
         held_back: What slows it down or stops it, in words for people; empty when nothing does.
     """
 
-    def __init__(self, robot: StandingRobot, q: Array, postures: Postures) -> None:
+    def __init__(
+        self, robot: StandingRobot, q: Array, postures: Postures, resistance: Resistance | None = None
+    ) -> None:
         """Begin at rest.
 
         Args:
             robot: Where it stands.
             q: Where to begin, shape (nq,).
             postures: Which postures are free.
+            resistance: What is felt on the way, if anything can be felt.
         """
         self._model = model = robot.model
         groups = model.description.groups
         legs = {joint for group in ("left_leg", "right_leg") for joint in groups.get(group, ())}
         self._joints = tuple(joint for joint in model.joints if joint not in legs)
         self._at = model.indices(self._joints)
-        self._postures = postures
+        self._postures, self._resistance = postures, resistance
         space = free_coordinates(robot)
         self._row = space.from_q(q)
         self._columns = np.array([space.index(joint) for joint in self._joints])
@@ -108,6 +130,7 @@ class JogTracker:
             corners = robot.polygon.vertices_m
             self._middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
         self._jog: Jog | None = None
+        self._met = ""
         self._anchor: tuple[Array, Array] | None = None
         self._share = 0.0
         self.q = q.copy()
@@ -151,9 +174,14 @@ class JogTracker:
         """The next rates on the way to what is asked for."""
         self.held_back = ""
         if not _same(jog, self._jog):
-            self._anchor, self._share = None, 0.0
+            self._anchor, self._share, self._met = None, 0.0, ""
         wanted = self._of_joint(jog) if isinstance(jog, JointJog) else self._of_hand(jog)
-        self._share = self._free_share(wanted)
+        if self._resistance is not None and (self._met or self._is_resisted(wanted, self._resistance)):
+            self.held_back, self._anchor = self._met, None
+            self._share, wanted = 1.0, self._resistance.easing[self._at]
+            wanted = np.clip(wanted, -self._speed, self._speed)
+        else:
+            self._share = self._free_share(wanted)
         most = self._acceleration * TICK_S
         rate = self._rate + np.clip(self._share * wanted - self._rate, -most, most)
         if self._can_rest_from(rate):
@@ -250,6 +278,14 @@ class JogTracker:
         return f"{self._joints[k]} is near the end of its range"
 
     # ---------------------------------------------------------------- what is free
+
+    def _is_resisted(self, wanted: Array, resistance: Resistance) -> bool:
+        """Whether the wanted rates press on against what is felt; it counts for all that is asked so."""
+        rates = np.zeros(len(self._model.joints))
+        rates[self._at] = wanted
+        if resistance.presses(rates):
+            self._met = resistance.told
+        return bool(self._met)
 
     def _free_share(self, wanted: Array) -> float:
         """How much of the wanted rates what lies ahead leaves."""

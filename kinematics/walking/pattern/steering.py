@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from kinematics.geometry.planar import PlanarPose, wrapped
@@ -64,6 +64,26 @@ class Halt:
         return None
 
 
+_QUICK_SWING, _QUICK_LANDING, _QUICK_CLOSING, _QUICK_SETTLING = 0.84, 0.85, 0.9, 0.67
+"""Of the usual times. Told to stop just after a foot has left the floor, a walk of TALOS rests 1.7 s later,
+not 2.1; the strides of 0.3 m/s are short enough for a swing of 0.42 s."""
+
+
+def quickened(settings: WalkingSettings) -> WalkingSettings:
+    """Settings of a walk in quicker, shorter steps, which stands sooner after it was told to stop.
+
+    Args:
+        settings: The robot's.
+    """
+    return replace(
+        settings,
+        single_support_s=_QUICK_SWING * settings.single_support_s,
+        double_support_s=_QUICK_LANDING * settings.double_support_s,
+        closing_s=_QUICK_CLOSING * settings.closing_s,
+        settle_s=_QUICK_SETTLING * settings.settle_s,
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class VelocitySteering:
     """Go on at a velocity, reached by and by; a velocity of zero stops.
@@ -71,15 +91,18 @@ class VelocitySteering:
     Attributes:
         settings: The robot's.
         linear_m_s, angular_rad_s: Forwards, and to the left.
+        quick: Whether by ``quickened`` steps; a walk that sets out with such steps keeps to them.
     """
 
     settings: WalkingSettings
     linear_m_s: float
     angular_rad_s: float
+    quick: bool = False
 
     def advance(self, body: PlanarPose, before: PlanarPose) -> PlanarPose | None:  # noqa: ARG002
         """A step nearer to the velocity that is wanted."""
-        s, step_s = self.settings, self.settings.step_s
+        s = quickened(self.settings) if self.quick else self.settings
+        step_s = s.step_s
         if abs(self.linear_m_s) < _STILL and abs(self.angular_rad_s) < _STILL:
             return None
         x = _towards(before.x_m, self.linear_m_s * step_s, s.acceleration_m_s2 * step_s**2)

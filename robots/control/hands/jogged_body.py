@@ -21,6 +21,7 @@ from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.standing.reserves import JOGGING_RESERVE_M
 from robots.control.guarded.guarded_motion import MotionBounds
+from robots.control.hands.jog_touch import JogTouch
 from robots.interface.robot import RobotState
 
 WORD_HOLDS_S = 0.15
@@ -46,18 +47,20 @@ class JogReport:
 class JoggedBody:
     """Moves as it is told to, a word at a time; satisfies ``BodyMotion``."""
 
-    def __init__(self, standing: StandingRobot, q: Array, scene: PlanningScene) -> None:
+    def __init__(self, standing: StandingRobot, q: Array, scene: PlanningScene, touch: JogTouch) -> None:
         """Prepare.
 
         Args:
             standing: The robot where it stands.
             q: The reference, at rest, shape (nq,).
             scene: What is around; it says which pairs may touch.
+            touch: What the arms feel beside.
         """
         model = standing.model
         self._model = model
         self.scene = relaxed_at(model, scene, q, JOGGING_RESERVE_M)
-        self._tracker = JogTracker(standing, q, _judge(standing, self.scene, q))
+        self._touch = touch
+        self._tracker = JogTracker(standing, q, _judge(standing, self.scene, q), touch)
         rest = np.zeros(model.nv)
         self.body = MotionSample(self._tracker.q, rest, rest)
         self._queue: list[MotionSample] = []
@@ -108,6 +111,7 @@ class JoggedBody:
             count = round(TICK_S / elapsed_s)
             self._times = TICK_S / count * np.arange(1, count + 1, dtype=np.float64)
         if not self._queue:
+            self._touch.tick(self.body.q)
             silent = elapsed_s >= self._until_s or self._asked_to_finish
             if silent and self._tracker.at_rest:
                 return self._rest(elapsed_s)

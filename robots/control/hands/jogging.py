@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from kinematics.arrays import Array
 from kinematics.following.jog_reference import Jog
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene
+from robots.control.hands.jog_touch import JogTouch
 from robots.control.hands.jogged_body import JoggedBody, JogReport
 from robots.control.motion_handle import MotionHandle
 from robots.control.streaming.motion_streamer import MotionStreamer
+from robots.interface.hardware import Hardware
 
 
 class JoggingControl:
     """Starts jogging in this process; satisfies ``trees.toolbox.Jogging``."""
 
-    def __init__(self, model: RobotModel, streamer: MotionStreamer) -> None:
-        """Command through the streamer."""
+    def __init__(self, model: RobotModel, streamer: MotionStreamer, hardware: Hardware) -> None:
+        """Command through the streamer; the hardware knows what efforts mean contact."""
         self._model, self._streamer = model, streamer
+        self._touch = JogTouch(model, hardware, lambda hand: streamer.keeper(hand).reading().holding)
+        self._handle: MotionHandle | None = None
 
     def start(self, scene: PlanningScene) -> JoggingStarted:
         """Begin where the robot is commanded to be now; the handle is refused when it may not.
@@ -25,8 +30,15 @@ class JoggingControl:
             scene: What is around; it says what may be touched.
         """
         standing = StandingRobot.of(self._model, self._streamer.stance())
-        motion = JoggedBody(standing, self._streamer.reference(), scene)
-        return JoggingStarted(motion, self._streamer.start(motion))
+        self._touch.begin()
+        motion = JoggedBody(standing, self._streamer.reference(), scene, self._touch)
+        self._handle = self._streamer.start(motion)
+        return JoggingStarted(motion, self._handle)
+
+    def feel(self, effort: Array, needed: Array) -> None:
+        """Once a control period: efforts of the actuated joints, measured and needed, Nm, shape (n,)."""
+        if self._handle is not None and not self._handle.finished:
+            self._touch.take(effort, needed)
 
 
 class JoggingStarted:

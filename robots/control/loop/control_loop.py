@@ -75,10 +75,8 @@ class ControlLoop:
             sink: Where events go.
             period_s: Control period.
         """
-        self._robot = robot
-        self._model = model
-        self._clock = clock
-        self._sink = sink
+        self._robot, self._model = robot, model
+        self._clock, self._sink = clock, sink
         self._period_s = period_s
         self._bodies = len(model.joints)
         readings, hardware = robot.read(), robot.hardware
@@ -108,7 +106,7 @@ class ControlLoop:
         self.model = model
         self.motion = self._streamer
         self.walking = self._walker
-        self.jogging = JoggingControl(model, self._streamer)
+        self.jogging = JoggingControl(model, self._streamer, hardware)
         self.yielding = YieldingControl(model, hardware.grips, self._streamer)
         self.sensing = StateHistory(self._sense(), period_s)
         self.grippers: Mapping[Hand, GripperControl] = MappingProxyType(
@@ -334,6 +332,8 @@ class ControlLoop:
         """When the body pushes against something, end what moves the robot: a walk within two steps."""
         walks = self._walker.under_way
         watched = (self._streamer.carrying_out or walks) and self._forgiven == 0
+        if self._forgiven == 0:
+            self.jogging.feel(state.effort, self._gate.last.tau)
         self._contact.bear(self._streamer.unweighed, self._streamer.reference)
         contact = self._contact.judge(state.effort, self._gate.last.tau, watched, self._walker.active)
         contact = contact or self._walker.held_back

@@ -16,6 +16,7 @@ from kinematics.walking.body.level_soles import levelled
 from kinematics.walking.body.whole_body import WholeBody
 from kinematics.walking.pattern.pattern import WalkingPattern
 from kinematics.walking.pattern.pattern_sample import PatternSample, Phase
+from kinematics.walking.pattern.steering import quickened
 from robots.control.gate.refusal import Refusal
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.fitted_ankles import FittedAnkles
@@ -47,10 +48,25 @@ class Walk:
         streamer: MotionStreamer,
         gyro_at_rest: Array,
         period_s: float,
+        quick: bool = False,
     ) -> None:
+        """Stand.
+
+        Args:
+            model: The robot, with what it carries.
+            hardware: Its gains.
+            streamer: Knows where it stands.
+            gyro_at_rest: What the gyro shows at rest, rad/s, shape (3,).
+            period_s: Control period.
+            quick: Whether in quicker, shorter steps.
+
+        Raises:
+            RuntimeError: The robot is not known to walk.
+        """
         settings, gains = model.description.walking, hardware.walking
         if settings is None or gains is None:
             raise RuntimeError("the robot is not known to walk")
+        settings = quickened(settings) if quick else settings
         self._model, self._period_s = model, period_s
         placed, q = levelled(model, streamer.reference(), dict(streamer.stance().soles))
         soles = {sole.side: sole for sole in model.description.soles}

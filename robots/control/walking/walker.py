@@ -10,7 +10,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import UPRIGHT_RAD
 from kinematics.walking.pattern.gazing import Gazing
-from kinematics.walking.pattern.steering import Steering
+from kinematics.walking.pattern.steering import Steering, VelocitySteering
 from robots.clock import Clock
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.gate.authority import HOLD, STOP, Authority, together
@@ -231,7 +231,8 @@ class Walker:
     def _set_out(self, steering: Steering) -> None:
         self._interrupted = False
         model = self._model.carrying(self._scales.masses_kg(self._streamer.reference()))
-        self._walk = Walk(model, self._hardware, self._streamer, self._gyro_at_rest, self._period_s)
+        quick = isinstance(steering, VelocitySteering) and steering.quick
+        self._walk = Walk(model, self._hardware, self._streamer, self._gyro_at_rest, self._period_s, quick)
         if self._readings is not None:
             self._walk.sense(self._readings)
         _steer(self._walk, steering)

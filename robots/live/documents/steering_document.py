@@ -33,8 +33,9 @@ def write_steering(steering: Steering) -> str:
     """
     values: dict[str, Any]
     match steering:
-        case VelocitySteering(_, linear_m_s, angular_rad_s):
+        case VelocitySteering(_, linear_m_s, angular_rad_s, quick):
             values = {"kind": "velocity", "linear_m_s": linear_m_s, "angular_rad_s": angular_rad_s}
+            values |= {"quick": True} if quick else {}
         case TurnSteering(_, angular_rad_s, heading_rad):
             values = {"kind": "turn", "angular_rad_s": angular_rad_s, "heading_rad": heading_rad}
         case StretchSteering(_, start, linear_m_s, distance_m):
@@ -69,9 +70,11 @@ def read_steering(text: str, settings: WalkingSettings) -> Steering:
 def _steps(root: Node, settings: WalkingSettings) -> Steering:
     kind = root.key("kind").choice(("velocity", "turn", "stretch", "path"))
     if kind == "velocity":
-        root.only(("kind", "linear_m_s", "angular_rad_s"), ("gaze",))
+        root.only(("kind", "linear_m_s", "angular_rad_s"), ("quick", "gaze"))
         linear_m_s = root.key("linear_m_s").number(_MOST_SPEED)
-        return VelocitySteering(settings, linear_m_s, root.key("angular_rad_s").number(_MOST_SPEED))
+        angular_rad_s = root.key("angular_rad_s").number(_MOST_SPEED)
+        quick = root.has("quick") and root.key("quick").truth()
+        return VelocitySteering(settings, linear_m_s, angular_rad_s, quick)
     if kind == "turn":
         root.only(("kind", "angular_rad_s", "heading_rad"), ("gaze",))
         angular_rad_s = root.key("angular_rad_s").number(_MOST_SPEED)

@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from executive.manual.words import GripJog
+from executive.manual.words import BaseJog, ByHandTask, GripJog
 from executive.session.assembly import assemble
 from executive.session.driver import Driver
 from kinematics.following.jog_reference import HandJog
+from kinematics.walking.pattern.pattern_sample import Phase
 from robots.scenes.scene_file import load_scene
 from trees.tasks import ObjectDescription, PickTask
 
@@ -65,6 +66,39 @@ def test_a_key_moves_the_hand_and_silence_brakes_it(assembly):
     assert np.abs(assembly.loop.setpoint.v).max() == 0.0
     assert result.outcome == "cancelled"
     assert result.evidence["by"] == "person"
+    assert assembly.loop.statistics.refused == 0
+
+
+class Lifts:
+    """Tells when a foot has just left the floor for the second time."""
+
+    def __init__(self, assembly):
+        self._walking, self._phase, self.count = assembly.loop.walking, None, 0
+
+    def look(self):
+        walk = self._walking._walk
+        phase = None if walk is None else walk.pattern.phase
+        self.count += phase is Phase.SWING and self._phase is not Phase.SWING
+        self._phase = phase
+
+
+@pytest.mark.requirement("S10")
+def test_a_walk_stands_within_2_seconds_after_the_last_key_though_a_foot_had_just_left_the_floor(assembly):
+    session, feed, lifts = assembly.session, assembly.session.hands.feed, Lifts(assembly)
+    driver = Driver(session.task_steps(ByHandTask("jog the robot"), by_hand=True))
+    last_s, stands_s = 0.0, None
+
+    while driver.advance() and session.now_s < 20.0:
+        lifts.look()
+        now_s, walks = session.now_s, assembly.loop.walking.active
+        if lifts.count < 2:
+            feed.say(BaseJog(-0.3, 0.0), last_s := now_s)
+        elif now_s >= last_s + 0.1 and not walks:
+            stands_s = stands_s or now_s
+            feed.hand_back("go_on")
+
+    assert stands_s - last_s <= 2.0
+    assert not assembly.world.truth.fallen()
     assert assembly.loop.statistics.refused == 0
 
 

@@ -157,3 +157,49 @@ def test_a_stretched_arm_is_named(talos, robot):
 
 def test_a_tick_is_ten_milliseconds():
     assert pytest.approx(TIMES[-1]) == TICK_S
+
+
+class Pushed:
+    """Something that is met by whatever turns one joint up."""
+
+    def __init__(self, model, joint):
+        self.k, self.told = model.joints.index(joint), "something is met"
+        self.easing = np.zeros(len(model.joints))
+        self.met = True
+
+    def presses(self, rates):
+        return self.met and rates[self.k] > 0.0
+
+
+def test_what_presses_on_gives_way_to_its_end_and_the_opposite_way_is_free(talos, robot):
+    joint, pushed = "arm_right_4_joint", Pushed(talos, "arm_right_4_joint")
+    tracker = JogTracker(robot, talos.q_home, Anything(), pushed)
+    pushed.easing[pushed.k] = -0.02
+
+    def rad():
+        return tracker.q[7 + pushed.k]
+
+    began = rad()
+    jogged(tracker, JointJog(joint, 0.2), 40)
+    eased, pushed.met, said = rad(), False, tracker.held_back
+    pushed.easing[:] = 0.0
+    jogged(tracker, JointJog(joint, 0.2), 40)
+    rested, pushed.met = rad(), True
+    jogged(tracker, JointJog(joint, -0.2), 40)
+
+    assert said == "something is met"
+    assert eased == pytest.approx(began - 0.02 * 0.4, abs=0.001)
+    assert rested == pytest.approx(eased, abs=0.001)
+    assert rad() < rested - 0.05
+
+
+def test_once_the_key_was_let_go_it_may_press_again_where_nothing_is_felt_any_more(talos, robot):
+    joint, pushed = "arm_right_4_joint", Pushed(talos, "arm_right_4_joint")
+    tracker = JogTracker(robot, talos.q_home, Anything(), pushed)
+    jogged(tracker, JointJog(joint, 0.2), 10)
+    began, pushed.met = tracker.q[7 + pushed.k], False
+
+    jogged(tracker, None, BRAKED_TICKS)
+    jogged(tracker, JointJog(joint, 0.2), 40)
+
+    assert tracker.q[7 + pushed.k] > began + 0.05

@@ -102,6 +102,7 @@ def steerings(settings):
     poses_ = (PlanarPose(0.1, 0.2, 0.3), PlanarPose(1.0, -0.5, 7.0))
     return [
         VelocitySteering(settings, 0.2, -0.3),
+        VelocitySteering(settings, 0.2, -0.3, quick=True),
         TurnSteering(settings, -0.3, 0.1),
         StretchSteering(settings, poses_[0], -0.2, 0.5),
         PathSteering(settings, poses_),
@@ -115,6 +116,7 @@ def test_every_steering_comes_back_and_walks_the_same_way(talos):
     for sent in steerings(settings):
         read = read_steering(write_steering(sent), settings)
         assert read.advance(body, before) == sent.advance(body, before)
+        assert getattr(read, "quick", False) == getattr(sent, "quick", False)
         kinds.add(type(read).__name__)
 
     offered = {name for name in vars(steering_module) if name.endswith("Steering") and name != "Steering"}

@@ -25,6 +25,8 @@ REST_RAD_S = 0.02
 STILL_M_S = 0.02
 INTO_EVERY = 3
 """One sequence of so many goes on until something holds the robot back."""
+SEQUENCES = 3
+"""In each scene, one after the other: to look about takes longer than a sequence."""
 _HOLDS = 4
 _LIMIT_NOISE_RAD = 0.005
 """A measured joint may be so far beyond its range: the servo's give."""
@@ -55,8 +57,8 @@ class Watch:
         fell: Whether the robot fell.
         beyond: Joints that were measured beyond their range.
         rested_s: Simulated time since which nothing of trunk, arms, head and fingers has moved.
-        stood_s: The same of the base.
-        ended_s: Simulated time since which no walk is under way, its settling included.
+        stood_s: Simulated time since which the base has not moved.
+        ended_s: Simulated time since which both feet stand and no walk is under way, its settling included.
     """
 
     def __init__(self, assembly: Assembly) -> None:
@@ -110,32 +112,32 @@ class Held:
     mode: str
     stopped_s: float = 0.0
     stood_s: float = 0.0
-    ended_s: float = 0.0
     held_back: str = ""
     way_out: bool = True
 
 
 class RandomKeys:
-    """The script of one sequence.
+    """The script of the sequences in one scene.
 
     Attributes:
         told: Every key that was held down.
     """
 
-    def __init__(
-        self, assembly: Assembly, typist: Typist, watch: Watch, rng: np.random.Generator, into: bool
-    ) -> None:
-        self._assembly, self._typist, self._watch, self._rng, self._into = assembly, typist, watch, rng, into
+    def __init__(self, assembly: Assembly, typist: Typist, watch: Watch, rng: np.random.Generator) -> None:
+        self._assembly, self._typist, self._watch, self._rng = assembly, typist, watch, rng
+        self._into = False
         self.told: list[Held] = []
 
     def script(self) -> Script:
         """Keys, one hold after the other."""
         yield from silent(1.0)
-        for _ in range(_HOLDS):
-            yield from self._choices()
-            key = self._key()
-            yield from self._hold(key)
-        yield from silent(0.5)
+        for number in range(SEQUENCES):
+            self._into = number % INTO_EVERY == 0
+            for _ in range(_HOLDS):
+                yield from self._choices()
+                key = self._key()
+                yield from self._hold(key)
+            yield from silent(0.5)
 
     def _choices(self) -> Script:
         mode = self._rng.choice(["h", "n", "b"], p=[0.55, 0.25, 0.2])
@@ -168,8 +170,7 @@ class RandomKeys:
         yield from silent(2.8 if walks else 0.6)
         if last_s is not None:
             told.stopped_s = max(0.0, self._watch.rested_s - last_s)
-            told.stood_s = max(0.0, self._watch.stood_s - last_s)
-            told.ended_s = max(0.0, self._watch.ended_s - last_s)
+            told.stood_s = max(0.0, max(self._watch.stood_s, self._watch.ended_s) - last_s)
         if told.held_back and key not in "gf":
             yield from self._way_out(key, mode, told)
         self.told.append(told)
@@ -197,7 +198,7 @@ class RandomKeys:
 
 
 def run_jog_episode(order: EpisodeOrder) -> EpisodeRecord:
-    """Run one sequence; whatever breaks becomes its record."""
+    """Run the sequences in one scene; whatever breaks becomes its record."""
     try:
         return _run(order)
     except Exception as broken:
@@ -207,13 +208,12 @@ def run_jog_episode(order: EpisodeOrder) -> EpisodeRecord:
 def _run(order: EpisodeOrder) -> EpisodeRecord:
     began = time.process_time()
     rng = episode_rng(order.seed, 61)
-    into = order.seed % INTO_EVERY == 0
     scene = read_episode_scene(pick_scene(order.seed), order.seed)
     assembly = assemble(order.robot, scene, order.seed)
     watch, typist = Watch(assembly), Typist(assembly)
     assembly.session.watch_periods(watch.on_period)
     assembly.session.run_task(DescribeTask("what do you see"))
-    keys = RandomKeys(assembly, typist, watch, rng, into)
+    keys = RandomKeys(assembly, typist, watch, rng)
     result = typist.carry_on(ByHandTask("jog the robot"), keys.script(), "go_on", by_hand=True)
     refused = assembly.loop.statistics.refused
     stops = [str(stop) for stop in assembly.loop.statistics.stops]
@@ -242,12 +242,11 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
         furniture_contacts=tuple(sorted(watch.contacts)),
         simulated_s=assembly.session.now_s,
         numbers={
-            "into": into,
+            "sequences": SEQUENCES,
             "beyond": len(watch.beyond),
             "refused": refused,
             "stopped_s": stopped_s,
             "stood_s": stood_s,
-            "walk_ended_s": max((one.ended_s for one in walks), default=0.0),
             "trapped": len(trapped),
             "held_back": sum(bool(one.held_back) for one in keys.told),
             "walks": len(walks),
@@ -270,11 +269,12 @@ class JogSummary(Summary):
         def count(name: str) -> int:
             return sum(int(one.numbers.get(name, 0)) for one in records)
 
+        sequences = count("sequences")
         touched = sum(bool(one.furniture_contacts) for one in records)
         falls, errors = sum(one.fell for one in records), sum(one.outcome == "error" for one in records)
         stopped_s, stood_s = most("stopped_s"), most("stood_s")
         return [
-            Bar("sequences with a contact", str(touched), "0", touched == 0),
+            Bar(f"scenes with a contact, {sequences} sequences", str(touched), "0", touched == 0),
             Bar("falls", str(falls), "0", falls == 0),
             Bar("joints beyond their range", str(count("beyond")), "0", count("beyond") == 0),
             Bar("setpoints refused", str(count("refused")), "0", count("refused") == 0),

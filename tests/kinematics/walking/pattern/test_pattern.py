@@ -8,7 +8,12 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.walking.body.whole_body import WholeBody
 from kinematics.walking.pattern.pattern import WalkingPattern
 from kinematics.walking.pattern.pattern_sample import Phase
-from kinematics.walking.pattern.steering import PathSteering, StretchSteering, VelocitySteering
+from kinematics.walking.pattern.steering import (
+    PathSteering,
+    StretchSteering,
+    VelocitySteering,
+    quickened,
+)
 from robots.models.description import load_description, load_robot
 
 HARDWARE = load_robot("talos").hardware
@@ -24,8 +29,9 @@ def model():
 class Walk:
     """A pattern from standing at home, with its whole body."""
 
-    def __init__(self, model):
-        self.settings = model.description.walking
+    def __init__(self, model, quick=False):
+        settings = model.description.walking
+        self.settings = quickened(settings) if quick else settings
         soles = {sole.side: sole for sole in model.description.soles}
         self.feet = {
             side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()
@@ -83,6 +89,20 @@ def test_a_walk_stops_within_2_2_seconds_and_two_landings_whenever_it_is_told(mo
         assert samples[-1].phase is Phase.REST
         assert len(samples) * PERIOD_S <= 2.2
         assert walk.pattern.steps - landed <= 2
+
+
+@pytest.mark.requirement("S10")
+@pytest.mark.parametrize("velocity", [(0.3, 0.0), (-0.3, 0.0), (0.0, 0.4), (0.3, -0.4), (-0.3, 0.4)])
+def test_a_walk_in_quick_steps_rests_within_1_8_seconds_whenever_it_is_told(model, velocity):
+    for told in range(20, 2400, 97):
+        walk = Walk(model, quick=True)
+        walk.pattern.steer(VelocitySteering(model.description.walking, *velocity, quick=True))
+        walk.samples(told)
+
+        samples = walk.samples(2000, finish_after=0)
+
+        assert samples[-1].phase is Phase.REST
+        assert len(samples) * PERIOD_S <= 1.8
 
 
 def test_the_zmp_stays_under_the_foot_that_stands(model):
