@@ -194,6 +194,7 @@ def _request(recorded: RecordedRun, lines: list[str], folder: Path) -> RunReques
         faults=_faults(recorded),
         front=_front(recorded, lines, trust),
         settings=_settings(recorded),
+        perception=header.get("perception"),
     )
 
 

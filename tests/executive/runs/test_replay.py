@@ -83,15 +83,16 @@ def run(tmp_path):
     scene = tmp_path / "two_cups.toml"
     scene.write_text(TWO_CUPS)
 
-    def record(text, faults=(), **meddling):
+    def record(text, faults=(), perception=None, **meddling):
         script = tmp_path / "script.toml"
         if text.startswith("[["):
             script.write_text(text)
         kept = script if script.exists() else None
         statements = (script_for(text) if kept is None else load_script(script)).statements
         request = RunRequest(
-            text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept, faults=tuple(faults)
-        )
+            text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept, faults=tuple(faults),
+            perception=perception,
+        )  # fmt: skip
         performance = perform(request, NoDisplay(), Meddling(**meddling))
         return performance, recorded_run(tmp_path / "runs", "latest")
 
@@ -118,6 +119,16 @@ def test_a_run_comes_out_the_same_with_its_answers_cancels_stops_and_pauses(run,
     verdict = replay(recorded)
 
     assert performance.report.outcome == outcome
+    assert verdict.difference is None
+    assert verdict.events > 3
+
+
+@pytest.mark.requirement("U1", "P2")
+def test_what_the_camera_saw_is_seen_again(run):
+    _, recorded = run("what is on the table?", perception="rgbd", cancel_s=2.0)
+
+    verdict = replay(recorded)
+
     assert verdict.difference is None
     assert verdict.events > 3
 
