@@ -1,8 +1,9 @@
 """Who may see the page, and who may command by it.
 
-The page is for browsers of this machine. Reading needs nothing; a request that another page's script makes, or
-that comes by another name than this machine's, is refused. Commanding needs the token that was printed: a browser
-that opens the page with it gets it as a cookie, which scripts cannot read and other pages cannot make it send.
+The page is for browsers of this machine. Reading needs nothing; a request that another page's script makes,
+or that comes by another name than this machine's, is refused. Commanding needs the token that was printed: a
+browser that opens the page with it gets it as a cookie, which scripts cannot read and other pages cannot make
+it send.
 """
 
 from __future__ import annotations

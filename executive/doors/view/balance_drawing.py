@@ -1,7 +1,7 @@
 """How the robot keeps its balance and where it looks, in the page.
 
-The area that the feet span, the centre of mass above the floor, the point where the ground carries the robot (ZMP),
-and the view of its camera.
+The area that the feet span, the centre of mass above the floor, the point where the ground carries the robot
+(ZMP), and the view of its camera.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """One browser that shows the page: its panels, and its buttons where it may command.
 
-STOP is there for everybody who sees the page: it reaches the control process past the executive, and no page of
-another origin can press it. Everything else that makes the robot do something needs the token.
+STOP is there for everybody who sees the page: it reaches the control process past the executive, and no page
+of another origin can press it. Everything else that makes the robot do something needs the token.
 """
 
 from __future__ import annotations
@@ -65,9 +65,9 @@ class Browser:
                 self._add_token()
         self._ending = gui.add_html("")
         dark = gui.add_checkbox("dark", False)
-        dark.on_update(lambda _event: gui.configure_theme(
-            show_logo=False, show_share_button=False, dark_mode=dark.value
-        ))
+        dark.on_update(
+            lambda _event: gui.configure_theme(show_logo=False, show_share_button=False, dark_mode=dark.value)
+        )
         self._add_left()
 
     def show(self, seen: Seen) -> None:
@@ -109,8 +109,10 @@ class Browser:
 
         def given(_event: object) -> None:
             if not self._access.is_token(said.value.strip()):
-                said.value = ""
-                self._note(LogLine(self._seen.t_s, "a token that is not the printed one was refused", "warning"))
+                _clear(said)
+                self._note(
+                    LogLine(self._seen.t_s, "a token that is not the printed one was refused", "warning")
+                )
                 return
             form.remove()
             with self._commands:
@@ -126,7 +128,8 @@ class Browser:
             gui.add_button("send", icon=viser.Icon.SEND).on_click(lambda _event: form.submit())
 
         def said(_event: object) -> None:
-            text, line.value = line.value.strip(), ""
+            text = line.value.strip()
+            _clear(line)
             if text:
                 self._do(partial(self._say, text))
 
@@ -138,7 +141,9 @@ class Browser:
         gui.add_command("pause or go on", hotkey="P", modifier="alt").on_trigger(
             lambda _event: self._do(self._hold)
         )
-        gui.add_command("cancel", hotkey="C", modifier="alt").on_trigger(lambda _event: self._do(self._cancel))
+        gui.add_command("cancel", hotkey="C", modifier="alt").on_trigger(
+            lambda _event: self._do(self._cancel)
+        )
         self._commanding = True
 
     _commanding = False
@@ -157,8 +162,11 @@ class Browser:
             self._asked.append(gui.add_html(panels.question_panel(question)))
             for choice in question.get("choices", ()):
                 button = gui.add_button(str(choice), disabled=not self._commanding, color="yellow")
-                button.on_click(lambda _event, chosen=str(choice): self._do(partial(self._answer, chosen)))
+                button.on_click(self._answering(str(choice)))
                 self._asked.append(button)
+
+    def _answering(self, choice: str) -> Callable[[object], None]:
+        return lambda _event: self._do(partial(self._answer, choice))
 
     # ---------------------------------------------------------------- what it does
 
@@ -190,3 +198,8 @@ class Browser:
     def _cancel(self) -> None:
         if not self._robot.cancel("cancelled in the browser"):
             self._note(LogLine(self._seen.t_s, "nothing is under way", "info"))
+
+
+def _clear(line: viser.GuiTextHandle) -> None:
+    """Empty a line that was typed."""
+    line.value = ""  # type: ignore[misc]

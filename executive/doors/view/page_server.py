@@ -1,8 +1,8 @@
 """The page's server: viser's, on loopback, behind a guard of its own that judges each request first.
 
-viser serves page and connection at one port and asks nobody who comes. The guard stands where its server takes
-requests (``process_request`` of websockets), so that a foreign page gets neither the page nor a connection, and
-it adds the headers by which a browser loads nothing from elsewhere.
+viser serves page and connection at one port and asks nobody who comes. The guard stands where its server
+takes requests (``process_request`` of websockets), so that a foreign page gets neither the page nor a
+connection, and it adds the headers by which a browser loads nothing from elsewhere.
 """
 
 from __future__ import annotations
@@ -111,11 +111,11 @@ def _guarding(access: Access) -> Iterator[None]:
 
         return usual(known, *arguments, process_request=judged, **options)
 
-    websockets_server.serve = serve  # type: ignore[assignment, misc]
+    websockets_server.serve = serve
     try:
         yield
     finally:
-        websockets_server.serve = usual  # type: ignore[misc]
+        websockets_server.serve = usual
 
 
 def _port_of(connection: ServerConnection) -> int:

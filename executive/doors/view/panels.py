@@ -82,7 +82,9 @@ def _folded(nodes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def _matching(nodes: Sequence[Mapping[str, Any]], search: str) -> list[Mapping[str, Any]]:
-    wanted, above, shown = search.strip().lower(), [], set()
+    wanted = search.strip().lower()
+    above: list[int] = []
+    shown: set[int] = set()
     for index, node in enumerate(nodes):
         above = [*(i for i in above if nodes[i]["depth"] < node["depth"]), index]
         if wanted in f"{node['name']} {node['message']}".lower():

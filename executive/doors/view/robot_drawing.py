@@ -91,7 +91,9 @@ class RobotDrawing:
         self._solids: dict[str, list[tuple[viser.MeshHandle, tuple[int, int, int]]]] = {}
         for number, mesh in enumerate(link_meshes(description.urdf)):
             name = f"{self._frames.paths.get(mesh.link, ROOT)}/solid_{number}"
-            handle = scene.add_mesh_simple(name, mesh.vertices, mesh.faces, color=mesh.rgb, flat_shading=True)
+            handle = scene.add_mesh_simple(
+                name, mesh.vertices, mesh.faces, color=mesh.rgb, flat_shading=True, side="double"
+            )
             self._solids.setdefault(mesh.link, []).append((handle, mesh.rgb))
         self._refused: frozenset[str] = frozenset()
 

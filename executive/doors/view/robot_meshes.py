@@ -1,6 +1,7 @@
 """What a robot looks like, from its URDF: the visual solids of each link as triangles.
 
-Meshes that cannot be read here (Collada) are left out, and a link that is then bare shows its collision solids.
+Meshes that cannot be read here (Collada) are left out, and a link that is then bare shows its collision
+solids.
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ from kinematics.geometry.poses import Transform
 _READABLE = (".stl", ".obj", ".ply")
 _USUAL = (190, 196, 204)
 _SIDES = 24
-_MANY, _CELL_M = 800, 0.01
-"""A mesh of more triangles loses details smaller than this: a browser draws all of a robot thirty times a second."""
+_MANY, _CELL_M = 800, 0.008
+"""A mesh of more triangles loses details smaller than this: browsers draw it thirty times a second."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,24 +109,21 @@ def _mesh(geometry: ElementTree.Element | None) -> trimesh.Trimesh | None:
     solid = None if geometry is None else next(iter(geometry), None)
     if solid is None:
         return None
+    made: trimesh.Trimesh | None = None
     match solid.tag:
         case "box":
-            return trimesh.creation.box(_numbers(solid.get("size", "0 0 0")))
+            made = trimesh.creation.box(_numbers(solid.get("size", "0 0 0")))
         case "sphere":
-            return trimesh.creation.icosphere(subdivisions=2, radius=float(solid.get("radius", 0.0)))
+            made = trimesh.creation.icosphere(subdivisions=2, radius=float(solid.get("radius", 0.0)))
         case "cylinder":
             radius, length = float(solid.get("radius", 0.0)), float(solid.get("length", 0.0))
-            return trimesh.creation.cylinder(radius, length, sections=_SIDES)
+            made = trimesh.creation.cylinder(radius, length, sections=_SIDES)
         case "mesh":
             path = Path(solid.get("filename", ""))
-            if path.suffix.lower() not in _READABLE or not path.is_file():
-                return None
-            loaded = trimesh.load(path, force="mesh")
-            if not isinstance(loaded, trimesh.Trimesh):
-                return None
-            loaded.apply_scale(_numbers(solid.get("scale", "1 1 1")))
-            return loaded
-    return None
+            if path.suffix.lower() in _READABLE and path.is_file():
+                made = trimesh.load_mesh(path)
+                made.vertices = made.vertices * _numbers(solid.get("scale", "1 1 1"))
+    return made
 
 
 def _origin(element: ElementTree.Element | None) -> Transform:

@@ -46,9 +46,7 @@ class Viewer:
         LiveError: No robot is served there.
     """
 
-    def __init__(
-        self, folder: Path, server: PageServer, access: Access, ended: Callable[[], bool]
-    ) -> None:
+    def __init__(self, folder: Path, server: PageServer, access: Access, ended: Callable[[], bool]) -> None:
         where, wall = RuntimeFolder(folder), WallClock()
         about = _told(where, wall, ended)
         self._wall, self._ended, self._access = wall, ended, access

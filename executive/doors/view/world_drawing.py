@@ -43,7 +43,7 @@ class DrawnThing:
         rgb: Its colour.
         opacity: 1 for what is sure, less for furniture, which hides things, and for what is unsure.
         error_m: Radii of the ellipsoid in which it is, along the axes of the odometry frame.
-        label: For people.
+        label: For people; none for the second board of a table and the like.
         held: The frame that carries it, or nothing.
     """
 
@@ -87,9 +87,15 @@ def drawn(thing: Mapping[str, Any], marked: Collection[str] = ()) -> DrawnThing:
         REFUSED if name in marked else _rgb(sort, thing.get("color"), str(thing.get("kind", ""))),
         round(sure * (0.55 if sort == "furniture" else 1.0), 2),
         (ex, ey, ez),
-        name if confidence is None else f"{name} {100.0 * float(confidence):.0f} %",
+        _label(name, sort, confidence),
         str(thing.get("held", "")),
     )
+
+
+def _label(name: str, sort: str, confidence: float | None) -> str:
+    if sort == "furniture" and name[-1:].isdigit():
+        return ""
+    return name if confidence is None else f"{name} {100.0 * confidence:.0f} %"
 
 
 def _rgb(sort: str, color: object, kind: str) -> tuple[int, int, int]:
@@ -128,7 +134,9 @@ class WorldDrawing:
             frames: The page's name of the frame that carries each thing that is held.
         """
         wanted = {one.name: (one, frames.get(one.held, "")) for one in things}
-        for name in [name for name, (one, frame, _) in self._shown.items() if wanted.get(name) != (one, frame)]:
+        for name in [
+            name for name, (one, frame, _) in self._shown.items() if wanted.get(name) != (one, frame)
+        ]:
             for handle in self._shown.pop(name)[2]:
                 handle.remove()
         for name, (one, frame) in wanted.items():
@@ -139,12 +147,18 @@ class WorldDrawing:
         path = f"{frame}/believed/{one.name.replace('/', ' ')}"
         root = self._scene.add_frame(path, show_axes=False, position=one.place_m, wxyz=one.wxyz)
         self._solid(f"{path}/solid", one)
+        if not one.label:
+            return [root, *self._error(one, frame)]
         height = {"box": one.size_m[-1], "cylinder": one.size_m[-1], "ball": 2.0 * one.size_m[0]}[one.shape]
         self._scene.add_label(
             f"{path}/label", one.label, position=(0.0, 0.0, 0.5 * height + 0.03), anchor="bottom-center"
         )
+        return [root, *self._error(one, frame)]
+
+    def _error(self, one: DrawnThing, frame: str) -> list[_Handle]:
+        """The ellipsoid of an error; none where it would not be seen, or the thing moves with a hand."""
         if max(one.error_m) < _LEAST_SHOWN_M or frame:
-            return [root]
+            return []
         error = self._scene.add_icosphere(
             f"/errors/{one.name.replace('/', ' ')}",
             1.0,
@@ -156,7 +170,7 @@ class WorldDrawing:
             cast_shadow=False,
             receive_shadow=False,
         )
-        return [root, error]
+        return [error]
 
     def _solid(self, path: str, one: DrawnThing) -> None:
         opacity = None if one.opacity >= 1.0 else one.opacity
@@ -164,6 +178,7 @@ class WorldDrawing:
             x, y, z = one.size_m
             self._scene.add_box(path, one.rgb, (x, y, z), opacity=opacity)
         elif one.shape == "cylinder":
-            self._scene.add_cylinder(path, *one.size_m, one.rgb, opacity=opacity)
+            radius, height = one.size_m
+            self._scene.add_cylinder(path, radius, height, one.rgb, opacity=opacity)
         else:
             self._scene.add_icosphere(path, one.size_m[0], one.rgb, opacity=opacity)

@@ -22,7 +22,9 @@ def server():
 
 def get(server, path="/", **headers):
     connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10.0)
-    connection.request("GET", path, headers={name.replace("_", "-"): value for name, value in headers.items()})
+    connection.request(
+        "GET", path, headers={name.replace("_", "-"): value for name, value in headers.items()}
+    )
     answer = connection.getresponse()
     answer.read()
     connection.close()
@@ -30,9 +32,7 @@ def get(server, path="/", **headers):
 
 
 def talk(server, **options):
-    return connect(
-        f"ws://127.0.0.1:{server.port}", subprotocols=[f"viser-v{viser.__version__}"], **options
-    )
+    return connect(f"ws://127.0.0.1:{server.port}", subprotocols=[f"viser-v{viser.__version__}"], **options)
 
 
 def test_the_page_is_given_and_may_load_nothing_from_elsewhere(server):
