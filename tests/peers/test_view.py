@@ -36,6 +36,7 @@ class Served:
 
     def __init__(self, folder):
         command = [sys.executable, "-m", "executive", "serve", "--view", "--view-port", str(PORT)]
+        command += ["--scene", "clutter"]
         command += ["--ordinary", "--folder", str(folder / "live"), "--record", str(folder / "runs")]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         self.robot, self.lines = ServedRobot(folder / "live"), []
@@ -144,7 +145,7 @@ def test_a_foreign_page_gets_no_connection(page, served):
 def test_a_typed_command_moves_the_drawn_robot_and_is_done(commanding, served):
     time.sleep(2.0)
     before = picture(commanding)
-    say(commanding, "wave")
+    say(commanding, "move backward for 1 second")
     until(lambda: served.robot.status()["task"] is not None)
     until(lambda: served.robot.status()["task"] is None)
     commanding.get_by_text("log", exact=True).click()
@@ -154,7 +155,7 @@ def test_a_typed_command_moves_the_drawn_robot_and_is_done(commanding, served):
 
 
 def test_a_question_is_answered_by_its_button(commanding, served):
-    say(commanding, "pick up the thing")
+    say(commanding, "pick up the cup")
     until(lambda: served.robot.status()["question"] is not None)
     choice = served.robot.status()["question"]["choices"][0]
     commanding.get_by_role("button", name=choice, exact=True).click()

@@ -73,7 +73,8 @@ class PageServer:
 
     def close(self) -> None:
         """Serve no more."""
-        self.viser.stop()
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.viser.stop()
 
 
 def _no_share(verbose: bool = True) -> None:

@@ -96,8 +96,7 @@ class Viewer:
             browser.show(seen)
 
     def _welcome(self, client: viser.ClientHandle, may_command: bool) -> None:
-        client.camera.up_direction = (0.0, 0.0, 1.0)
-        client.camera.position, client.camera.look_at = (1.9, -1.5, 1.5), (0.35, 0.0, 0.85)
+        look_from_the_side(client)
         browser = Browser(client, self._robot, self._access, self._observer.note, may_command)
         with self._lock:
             self._browsers = {**self._browsers, client.client_id: browser}
@@ -117,6 +116,12 @@ def prepare(scene: viser.SceneApi) -> None:
     )
     scene.add_light_directional("/light/sun", intensity=1.8, position=(2.0, -3.0, 5.0), cast_shadow=True)
     scene.add_grid("/floor", 20.0, 20.0, cell_size=0.5, section_size=1.0)
+
+
+def look_from_the_side(client: viser.ClientHandle) -> None:
+    """Where a browser looks from at first."""
+    client.camera.up_direction = (0.0, 0.0, 1.0)
+    client.camera.position, client.camera.look_at = (1.9, -1.5, 1.5), (0.35, 0.0, 0.85)
 
 
 def _told(where: RuntimeFolder, wall: WallClock, ended: Callable[[], bool]) -> dict[str, object]:
