@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from executive.doors.view.seen import LogLine, log_line
-from executive.live.served_executive.told_as_json import tree_json
-from executive.live.served_executive.world_as_json import world_json
+from executive.live.told_as_json import tree_json
+from executive.live.world_as_json import world_json
 from executive.reports.feedback import line_for
 from executive.runs.replay import ReplayVerdict, replay
 from executive.runs.run_log import RecordedRun

@@ -27,8 +27,8 @@ from executive.live.jog_message import word_of
 from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
-from executive.live.served_executive.told_as_json import scene_json, tree_json
-from executive.live.served_executive.world_as_json import world_json
+from executive.live.told_as_json import scene_json, tree_json
+from executive.live.world_as_json import world_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
 from executive.meaning import Command, Parsed, StopCommand
 from executive.robot_settings import robot_settings

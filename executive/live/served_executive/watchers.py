@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from executive.live.served_executive.told_as_json import tree_json
+from executive.live.told_as_json import tree_json
 from executive.reports.feedback import line_for
 from executive.session.events import Event, PlanningAnswered, SensorsNoted, event_json
 from robots.live.wire.connection import Connection

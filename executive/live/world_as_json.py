@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from executive.live.served_executive.told_as_json import beginning
+from executive.live.told_as_json import beginning
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder, Shape

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from executive.live.served_executive.world_as_json import world_json
+from executive.live.world_as_json import world_json
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.scene.label import Label
