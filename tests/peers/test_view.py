@@ -147,7 +147,7 @@ def test_a_typed_command_moves_the_drawn_robot_and_is_done(commanding, served):
     before = picture(commanding)
     commanding.get_by_text("log", exact=True).click()
     say(commanding, "move backward for 1 second")
-    commanding.get_by_text(re.compile("^done: ")).first.wait_for()
+    commanding.get_by_text(re.compile("done: ")).first.wait_for()
 
     assert picture(commanding) != before
 
