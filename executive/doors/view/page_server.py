@@ -10,12 +10,16 @@ from __future__ import annotations
 import contextlib
 import io
 import threading
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Awaitable, Callable
 from contextvars import ContextVar
-from typing import Any
+from types import FunctionType
+from typing import Any, cast
 
 import viser
-import websockets.asyncio.server as websockets_server
+import websockets
+import websockets.asyncio
+import websockets.asyncio.server
+from viser import infra
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
@@ -53,10 +57,8 @@ class PageServer:
         Raises:
             PortTakenError: Another program listens there.
         """
-        with _guarding(access), contextlib.redirect_stdout(io.StringIO()):  # viser prints a banner
-            self.viser = viser.ViserServer(host=HERE[0], port=port, label=name, verbose=False)
-        # any browser could ask viser for a tunnel that shows the page to the world
-        self.viser.request_share_url = _no_share  # type: ignore[method-assign]
+        with contextlib.redirect_stdout(io.StringIO()):  # viser prints a banner
+            self.viser = _guarded(access)(host=HERE[0], port=port, label=name, verbose=False)
         self.port: int = self.viser.get_port()
         if port not in (0, self.port):
             self.viser.stop()
@@ -77,14 +79,47 @@ class PageServer:
             self.viser.stop()
 
 
-def _no_share(verbose: bool = True) -> None:
+def _guarded(access: Access) -> type[viser.ViserServer]:
+    """The server of viser, whose sockets judge each request first.
+
+    viser has no place of its own for that: the two functions that make its server are derived, with other
+    meanings of a name of theirs.
+    """
+    serving = _Instead(websockets.asyncio.server, serve=_judging(access))
+    sockets = _Instead(websockets, asyncio=_Instead(websockets.asyncio, server=serving))
+    worker = _derived(infra.WebsockServer._background_worker, websockets=sockets)
+    server = type("GuardedSockets", (infra.WebsockServer,), {"_background_worker": worker})
+    made = _derived(viser.ViserServer.__init__, infra=_Instead(infra, WebsockServer=server))
+    # any browser could ask viser for a tunnel that shows the page to the world
+    return type("GuardedViser", (viser.ViserServer,), {"__init__": made, "request_share_url": _no_share})
+
+
+class _Instead:
+    """A module with another meaning of some of its names."""
+
+    def __init__(self, module: Any, **others: Any) -> None:
+        self._module = module
+        self.__dict__.update(others)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._module, name)
+
+
+def _derived(function: Callable[..., None], **others: Any) -> FunctionType:
+    """The same function, with another meaning of some names of its module."""
+    given = cast(FunctionType, function)
+    names = {**given.__globals__, **others}
+    made = FunctionType(given.__code__, names, given.__name__, given.__defaults__, given.__closure__)
+    made.__kwdefaults__ = given.__kwdefaults__
+    return made
+
+
+def _no_share(_server: viser.ViserServer, verbose: bool = True) -> None:
     """What viser does when a browser asks for a tunnel: nothing."""
 
 
-@contextlib.contextmanager
-def _guarding(access: Access) -> Iterator[None]:
-    """Have servers that are begun meanwhile judge requests; viser leaves no other place for it."""
-    usual = websockets_server.serve
+def _judging(access: Access) -> Callable[..., Any]:
+    """``serve`` of websockets, behind the guard."""
 
     def serve(handler: Handler, *arguments: Any, **options: Any) -> Any:
         page = options.pop("process_request", None)
@@ -110,13 +145,9 @@ def _guarding(access: Access) -> Iterator[None]:
                 _commands.set(access.judge(request.path, headers, _port_of(connection)).commands)
             await handler(connection)
 
-        return usual(known, *arguments, process_request=judged, **options)
+        return websockets.asyncio.server.serve(known, *arguments, process_request=judged, **options)
 
-    websockets_server.serve = serve
-    try:
-        yield
-    finally:
-        websockets_server.serve = usual
+    return serve
 
 
 def _port_of(connection: ServerConnection) -> int:

@@ -62,10 +62,9 @@ def test_the_token_is_taken_into_a_cookie_and_out_of_the_address(server):
     assert TOKEN in answer.headers["Set-Cookie"]
 
 
-def test_nothing_is_guarded_twice_and_others_are_left_alone():
-    import websockets.asyncio.server as module
-
-    assert module.serve.__module__ == "websockets.asyncio.server"
+def test_viser_opens_no_tunnel_however_it_is_asked(server):
+    assert server.viser.request_share_url() is None
+    assert server.viser._share_tunnel is None
 
 
 def test_a_port_that_is_taken_is_said(server):
