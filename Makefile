@@ -58,7 +58,7 @@ run: $(VENV)/.warm-stamp  ## the main job
 test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
 
-test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client
+test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client, a browser
 	-$(BIN)/python -m tools.benchmark.peers ros_jazzy ros_kilted smollm2  # one that cannot be installed is named and left out
 	$(BIN)/python -m pytest --peers tests/peers
 
@@ -95,8 +95,9 @@ reference: $(VENV)/.dev-stamp  ## the pages of the docs that are made from the c
 	$(BIN)/python -m tools.documents.schemas
 
 lock: $(VENV)/.dev-stamp  ## resolve the dependencies anew
-	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --output-file requirements.lock pyproject.toml
 	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --extra dev --output-file requirements-dev.lock pyproject.toml
+	$(BIN)/pip-compile --quiet --upgrade $(LOCK_OPTIONS) --constraint requirements-dev.lock \
+		--output-file requirements.lock pyproject.toml
 
 LOCK_OPTIONS = --strip-extras --allow-unsafe --no-emit-index-url --no-emit-find-links --no-header --no-annotate
 

@@ -119,6 +119,16 @@ class Listen:
 
 
 @dataclass(frozen=True, slots=True)
+class Watch:
+    """From now on hear of each event, and of the tree as it changes."""
+
+
+@dataclass(frozen=True, slots=True)
+class GetWorld:
+    """What is believed of the world, solids with their poses and errors?"""
+
+
+@dataclass(frozen=True, slots=True)
 class GetScene:
     """What does the robot believe to be around it?"""
 
@@ -132,7 +142,9 @@ DeskMessage = (
     | ResumeTask
     | GetStatus
     | GetScene
+    | GetWorld
     | Listen
+    | Watch
     | Velocity
     | TakeOver
     | Jog
@@ -149,7 +161,9 @@ _MESSAGES: Mapping[str, type] = {
     "resume": ResumeTask,
     "status": GetStatus,
     "scene": GetScene,
+    "world": GetWorld,
     "listen": Listen,
+    "watch": Watch,
     "velocity": Velocity,
     "take_over": TakeOver,
     "jog": Jog,

@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from executive.config import forget_config, use_config
 from executive.dialogue.attendant import RecordedAttendant, Stoppable
@@ -25,12 +25,15 @@ from executive.robot_settings import RobotSettings, settings_from_json
 from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun
 from executive.runs.run_request import RunRequest
-from executive.screens.display import NoDisplay
+from executive.screens.display import Display, NoDisplay
 from executive.scripts.task_script import script_for
 from executive.session.cancellation import Cancellation
 from executive.session.events import Event, InputTaken, canonical_line
 from executive.trust import Trust
 from robots.scenes.planned_fault import PlannedFault, fault_from_json
+
+if TYPE_CHECKING:
+    from executive.session.assembly import Assembly
 
 _SHOWN = 400
 """Characters of a differing event that are shown."""
@@ -123,12 +126,19 @@ class _WatchfulAttendant(RecordedAttendant):
             session.cancel("the recording has ended" if over else "the replay differs")
 
 
-def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: None) -> ReplayVerdict:
+def replay(
+    recorded: RecordedRun,
+    tell: Callable[[str], None] = lambda _line: None,
+    display: Display | None = None,
+    on_assembly: Callable[[Assembly], None] = lambda _assembly: None,
+) -> ReplayVerdict:
     """Run a recorded run again, without moving anything but a simulated robot of its own.
 
     Args:
         recorded: The run.
         tell: Hears what is done.
+        display: Shows what goes on; nothing does when left out.
+        on_assembly: Called with the robot and its session before the first task.
 
     Raises:
         NotReplayableError: It was no run in lockstep, or its folder is not whole.
@@ -145,7 +155,15 @@ def replay(recorded: RecordedRun, tell: Callable[[str], None] = lambda _line: No
     with tempfile.TemporaryDirectory() as folder:
         request = _request(recorded, lines, Path(folder))
         # a signal to end is no input of the run: it ends the comparison
-        perform(request, NoDisplay(), attendant, comparison.take, cancellation, heeds_signals=False)
+        perform(
+            request,
+            display or NoDisplay(),
+            attendant,
+            comparison.take,
+            cancellation,
+            heeds_signals=False,
+            on_assembly=on_assembly,
+        )
     comparison.end()
     difference = comparison.difference
     if not whole and difference is not None and difference.recorded == "":

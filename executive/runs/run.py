@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from executive.front.front_talk import FrontTalk
     from executive.runs.pictures import Pictures
     from executive.screens.display import Display
+    from executive.session.assembly import Assembly
 
 
 _WAITS_S = 0.02
@@ -83,6 +84,7 @@ def perform(
     on_event: Callable[[Event], None] | None = None,
     cancellation: Cancellation | None = None,
     heeds_signals: bool = True,
+    on_assembly: Callable[[Assembly], None] = lambda _assembly: None,
 ) -> Performance:
     """Carry a request out.
 
@@ -98,6 +100,7 @@ def perform(
         cancellation: The run's cancel, where the attendant has to know of it at the questions that come
             before there is a robot.
         heeds_signals: Whether signals to end are this run's; where not, they end the program.
+        on_assembly: Called with the robot and its session before the first task.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -107,7 +110,7 @@ def perform(
     """
     ending = _Ending(cancellation or Cancellation())
     with taken_by(ending.take) if heeds_signals else nullcontext(), spoken_in(request.scene):
-        return _performed(request, display, attendant or Nobody(), on_event, ending)
+        return _performed(request, display, attendant or Nobody(), on_event, ending, on_assembly)
 
 
 def _performed(
@@ -116,6 +119,7 @@ def _performed(
     attendant: Attendant,
     on_event: Callable[[Event], None] | None,
     ending: _Ending,
+    on_assembly: Callable[[Assembly], None],
 ) -> Performance:
     leave_opengl_to_the_renderer()
     settings = request.settings or robot_settings(config_files())
@@ -128,7 +132,9 @@ def _performed(
     with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
         account = RunAccount(subject, log, display.event, *([] if on_event is None else [on_event]))
         keep = log if request.keep_trajectories else None
-        results, checked = _results(request, scene, attendant, account.hear, display, pictures, keep, ending)
+        results, checked = _results(
+            request, scene, attendant, account.hear, display, pictures, keep, ending, on_assembly
+        )
         line, outcome, code = verdict(request.statements, results)
         report = account.close((line, outcome, code), results, checked)
     lacking = [] if pictures is None else list(pictures.complaints)
@@ -201,6 +207,7 @@ def _results(
     pictures: Pictures | None,
     keep: RunLog | None,
     ending: _Ending,
+    on_assembly: Callable[[Assembly], None],
 ) -> tuple[list[Said], int]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
 
@@ -242,6 +249,7 @@ def _results(
         labelling=Labelling(shown_directory(), packages=True, words=scene.perception.labels),
     )
     plan_faults(assembly.world, request.faults)
+    on_assembly(assembly)
     attendant.begin(assembly.session)
     if (ended := cancelled()) is not None:
         return [(statements[0], [not_begun(statements[0], ended)])], 0

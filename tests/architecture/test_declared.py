@@ -27,7 +27,7 @@ ROS |= {"client_watch"}
 
 
 def test_every_library_that_is_imported_is_declared():
-    names = ("ros", "mcp", "models", "camera")
+    names = ("ros", "mcp", "models", "camera", "view")
     extras = [line for name in names for line in PROJECT["optional-dependencies"][name]]
     declared = {
         re.match(r"[\w-]+", line)[0].lower().replace("_", "-") for line in [*PROJECT["dependencies"], *extras]

@@ -26,6 +26,9 @@ HEAVY = {
     "mcp": ("executive.doors.mcp", "tools.evaluate.mcp"),
     "uvicorn": ("executive.doors.mcp",),
     "openai": ("executive.doors.model",),
+    "viser": ("executive.doors.view",),
+    "trimesh": ("executive.doors.view",),
+    "websockets": ("executive.doors.view",),
     "rclpy": ("executive.doors.ros.node", "tools.evaluate.ros.client"),
 }
 # The simulator's truth is for sensors that are simulated and for those who judge.
@@ -37,7 +40,7 @@ TRUTH_USERS = (
 # Scripts that run in other environments than the product's: nobody imports them.
 ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node", "tools.evaluate.ros.client")
 # Who makes a secret that nobody may guess: the one thing for which randomness is not injected.
-SECRETS = ("executive.doors.mcp.serving",)
+SECRETS = ("executive.doors.mcp.serving", "executive.doors.view.access")
 # The one place that opens sockets, and no others than those of this machine.
 LOCAL_SOCKETS = "robots.live.wire.unix_socket"
 # Who asks a model what a picture shows, where a user has set one up: in the camera's own process.

@@ -148,6 +148,12 @@ RosInterfaceOption = Annotated[
     str, typer.Option(metavar="NAME", help="Network interface; whoever is in that network commands.")
 ]
 
+VIEW_PORT = 8095
+ViewOption = Annotated[bool, typer.Option("--view", help="A page for browsers of this machine.")]
+ViewPortOption = Annotated[
+    int, typer.Option(parser=whole_number_from(0, 65535), metavar="N", help="Of 127.0.0.1; 0 is any.")
+]
+
 
 def options_of(given: Mapping[str, object]) -> list[str]:
     """Options as ``executive serve`` takes them; those without a value are left out."""

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from executive.cli.commands.choices import VIEW_PORT, ViewPortOption
 from executive.exit_codes import ExitCode
 
 
@@ -15,8 +16,19 @@ def replay(
         str, typer.Argument(metavar="[RUN]", help="A run's name or folder; the latest by default.")
     ] = "latest",
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
+    view: Annotated[
+        bool, typer.Option("--view", help="Then show it, to scrub through, in a browser.")
+    ] = False,
+    view_port: ViewPortOption = VIEW_PORT,
 ) -> None:
     """Run a recorded run again, and tell the first event that differs."""
+    if view:
+        from executive.doors.companion import require_extra
+
+        require_extra("view", "viser", "trimesh")
+        from executive.doors.view.shown_again import show_again
+
+        raise typer.Exit(show_again(run, record, view_port, lambda line: typer.echo(line, err=True)))
     from executive.runs.replay import replay as run_again
     from executive.runs.run_search import find_run
 

@@ -12,6 +12,7 @@ import typer
 
 from executive.cli.commands.choices import (
     LOOPBACK,
+    VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
     ModelOption,
@@ -25,6 +26,8 @@ from executive.cli.commands.choices import (
     RosInterfaceOption,
     RosNamespaceOption,
     RosOption,
+    ViewOption,
+    ViewPortOption,
     YesOption,
     not_empty,
     options_of,
@@ -74,7 +77,7 @@ def run(
         PaceChoice | None,
         typer.Option(
             help="As fast as the machine computes, or as time passes.",
-            show_default="fast; with --ros as time passes",
+            show_default="fast; with --ros or --view as time passes",
         ),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
@@ -88,6 +91,8 @@ def run(
     ros_domain: RosDomainOption = 0,
     ros_namespace: RosNamespaceOption = "",
     ros_interface: RosInterfaceOption = LOOPBACK,
+    view: ViewOption = False,
+    view_port: ViewPortOption = VIEW_PORT,
 ) -> None:
     """Carry out one sentence, or a task script."""
     from executive.checks.machine import compile_kernel
@@ -99,9 +104,11 @@ def run(
     use_config(config)
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust, scene)
-    if ros:
+    doors = ["--ros"] * ros + ["--view"] * view
+    if doors:
         asked = None if on_question is OnQuestionChoice.ASK else on_question
-        _refuse_with_ros(
+        _refuse_with(
+            doors[0],
             report=report,
             snapshot=snapshot,
             video=video,
@@ -122,8 +129,9 @@ def run(
             "ros-domain": ros_domain,
             "ros-namespace": ros_namespace,
             "ros-interface": ros_interface,
+            "view-port": view_port,
         }
-        _run_with_ros(text, [*options_of(served), "--ros", *(["--yes"] if yes else [])], quiet)
+        _run_served(text, [*options_of(served), *doors, *(["--yes"] if yes else [])], len(doors), quiet)
     asker, front = None, None
     if model is not None:
         from executive.doors.model.front_model import front_model
@@ -165,18 +173,18 @@ def run(
     raise typer.Exit(performance.exit_code)
 
 
-def _refuse_with_ros(**given: object) -> None:
+def _refuse_with(door: str, **given: object) -> None:
     """Refuse the first option that is given and that only a run in this process knows."""
     for name, value in given.items():
         if value is not None:
             told = name.replace("_", "-")
             raise typer.BadParameter(
-                f"--{told}: not with --ros; the robot is served, and --record keeps its run"
+                f"--{told}: not with {door}; the robot is served, and --record keeps its run"
             )
 
 
-def _run_with_ros(text: str, options: list[str], quiet: bool) -> NoReturn:
-    """Have a robot served with ROS on the wire for as long as one order takes."""
+def _run_served(text: str, options: list[str], listeners: int, quiet: bool) -> NoReturn:
+    """Have a robot served with its doors open for as long as one order takes; it begins when they listen."""
     from executive.cli.commands.send import give_order, order_of
     from robots.live.wire.runtime_folder import RuntimeFolder
 
@@ -185,7 +193,7 @@ def _run_with_ros(text: str, options: list[str], quiet: bool) -> NoReturn:
             typer.echo(line, err=True)
 
     with ExitStack() as closing:
-        where = RuntimeFolder(serve_meanwhile(options, say, closing, listeners=1))
+        where = RuntimeFolder(serve_meanwhile(options, say, closing, listeners))
         line, code = give_order(where, order_of(text, where), quiet)
     tell_result(line)
     raise typer.Exit(code)

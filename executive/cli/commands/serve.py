@@ -12,6 +12,7 @@ import typer
 from executive.cli.commands.choices import (
     LOOPBACK,
     REAL_PACE,
+    VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
@@ -23,6 +24,8 @@ from executive.cli.commands.choices import (
     RosNamespaceOption,
     RosOption,
     ServedPaceOption,
+    ViewOption,
+    ViewPortOption,
     YesOption,
     not_empty,
     whole_number_from,
@@ -62,6 +65,8 @@ def serve(
     ros_domain: RosDomainOption = 0,
     ros_namespace: RosNamespaceOption = "",
     ros_interface: RosInterfaceOption = LOOPBACK,
+    view: ViewOption = False,
+    view_port: ViewPortOption = VIEW_PORT,
     model: ModelOption = None,
     yes: YesOption = False,
     config: ConfigOption = None,
@@ -81,7 +86,10 @@ def serve(
 
     del plain  # nothing is drawn here
     where = folder or runtime_directory()
-    bridge = _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else []
+    doors = {
+        "the ROS bridge": _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else [],
+        "the page": _page(where, view_port) if view else [],
+    }
     use_config(config)
 
     if model is not None:
@@ -119,8 +127,9 @@ def serve(
     note_folder(request.record)
     with contextlib.ExitStack() as beside:
         service = beside.enter_context(Service(request, say))
-        if bridge:
-            beside.enter_context(Companion("the ROS bridge", bridge, say))
+        for name, command in doors.items():
+            if command:
+                beside.enter_context(Companion(name, command, say))
         say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
         raise typer.Exit(service.watch())
 
@@ -134,3 +143,11 @@ def _bridge(folder: Path, domain: int, namespace: str, interface: str) -> list[s
     settings = RosSettings(domain, namespace, interface)
     module = "executive.doors.ros.bridge_process"
     return [sys.executable, "-m", module, str(folder), str(settings.domain), namespace, interface]
+
+
+def _page(folder: Path, port: int) -> list[str]:
+    """How the page is started."""
+    from executive.doors.companion import require_extra
+
+    require_extra("view", "viser", "trimesh")
+    return [sys.executable, "-m", "executive.doors.view.view_process", str(folder), str(port)]

@@ -16,6 +16,7 @@ from executive.live.desk_messages import (
     Cancel,
     DeskMessage,
     GetScene,
+    GetWorld,
     HandBack,
     Jog,
     Listen,
@@ -26,7 +27,9 @@ from executive.live.desk_messages import (
     ScriptLine,
     TakeOver,
     Velocity,
+    Watch,
 )
+from executive.live.served_executive.watchers import Watchers
 from executive.manual.words import BY_HAND, ENDINGS, ByHandTask, Ending
 from executive.meaning import Parsed
 from executive.trust import Trust
@@ -118,6 +121,10 @@ class Attended(Protocol):
         """What the robot believes to be around it, as JSON values."""
         ...
 
+    def world(self) -> Mapping[str, Any]:
+        """What is believed of the world, solids with their poses and errors, as JSON values."""
+        ...
+
     def take_over(self) -> None:
         """Let a person have the task that is under way."""
         ...
@@ -194,6 +201,7 @@ class Desk:
         current: The order that is being carried out.
         question: What is asked and not answered yet, or None.
         given: Answers that have come, the oldest first.
+        watchers: Who hears of events and trees.
     """
 
     def __init__(
@@ -208,6 +216,7 @@ class Desk:
         self._begun: dict[Connection, list[ScriptLine]] = {}
         self._person: Connection | None = None
         self._listeners: list[Connection] = []
+        self.watchers = Watchers()
         self.current: Order | None = None
         self.question: OpenQuestion | None = None
         self.given: list[str] = []
@@ -239,6 +248,11 @@ class Desk:
                 connection.send(write_message("status", **self._attended.status(), listeners=listeners))
             case GetScene():
                 connection.send(write_message("scene", things=list(self._attended.scene())))
+            case GetWorld():
+                connection.send(write_message("world", **self._attended.world()))
+            case Watch():
+                self.watchers.add(connection)
+                connection.send(write_message("done"))
             case Listen():
                 if connection not in self._listeners:
                     self._listeners.append(connection)
@@ -346,6 +360,7 @@ class Desk:
         self._begun.pop(connection, None)
         if connection in self._listeners:
             self._listeners.remove(connection)
+        self.watchers.remove(connection)
         if connection is self._person:
             self._person = None
             self._attended.hand_back("give_up")

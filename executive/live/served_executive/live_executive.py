@@ -27,7 +27,8 @@ from executive.live.jog_message import word_of
 from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.live_attendant import LiveAttendant
-from executive.live.served_executive.told_as_json import scene_json, tree_json
+from executive.live.told_as_json import scene_json, tree_json
+from executive.live.world_as_json import world_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
 from executive.meaning import Command, Parsed, StopCommand
 from executive.robot_settings import robot_settings
@@ -104,11 +105,11 @@ class LiveExecutive:
         self._display: PlainDisplay | None = None
         self._tree: TaskTree | None = None
         self._last_tree: Sequence[Mapping[str, Any]] | None = None
+        self._desk = Desk(folder.executive_socket, self, _is_stop)
         link.listen(self._note)
         motion = MotionClient(link)
         detector = DetectorClient(link)
         self._velocities = VelocityFeed()
-        self._desk = Desk(folder.executive_socket, self, _is_stop)
         ranging = RangingClient(link)
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
@@ -194,6 +195,10 @@ class LiveExecutive:
         """What the robot believes to be around it, as JSON values."""
         return scene_json(what_is_around(self._session.toolbox))
 
+    def world(self) -> Mapping[str, Any]:
+        """What is believed of the world, as JSON values."""
+        return world_json(self._session.toolbox.world)
+
     # ---------------------------------------------------------------- an order
 
     def _carry_out(self, order: Order) -> None:
@@ -225,6 +230,7 @@ class LiveExecutive:
             order.end(f"failed: {told}", "failed", ExitCode.FAILED)
             raise
         finally:
+            self._tell_tree(last=True)
             self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
@@ -324,13 +330,21 @@ class LiveExecutive:
         self._session.resume()
 
     def _note(self, event: Event) -> None:
+        self._desk.watchers.event(event)
         if self._account is not None:
             self._account.hear(event)
 
     def _show(self, tree: TaskTree) -> None:
         self._tree = tree
+        self._tell_tree()
         if self._display is not None:
             self._display.tick(tree)
+
+    def _tell_tree(self, last: bool = False) -> None:
+        """Let those who watch see the tree as it stands."""
+        if (tree := self._tree) is not None:
+            now_s = self._link.now_s
+            self._desk.watchers.tree(lambda: tree.snapshot(now_s), now_s, last)
 
 
 class _LineStream:

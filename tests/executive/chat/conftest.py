@@ -16,7 +16,7 @@ from executive.front.front_talk import FrontTalk
 from executive.live.served_executive.desk import Desk, question_json, statements_of
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.served_executive.live_executive import _is_stop, _LineStream
-from executive.live.served_executive.told_as_json import scene_json, tree_json
+from executive.live.told_as_json import scene_json, tree_json
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
 from executive.screens.display import PlainDisplay

@@ -4,9 +4,11 @@ import pytest
 from typer.testing import CliRunner
 
 from executive.cli.app import app
+from executive.doors import companion
 
 
 @pytest.mark.requirement("U3")
+@pytest.mark.parametrize("door", ["--ros", "--view"])
 @pytest.mark.parametrize(
     "option",
     [
@@ -17,10 +19,19 @@ from executive.cli.app import app
         ("--on-question", "first"),
     ],
 )
-def test_a_run_with_ros_refuses_what_only_its_own_process_could_do(option, tmp_path, monkeypatch):
+def test_a_run_with_a_door_refuses_what_only_its_own_process_could_do(option, door, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    result = CliRunner().invoke(app, ["run", "wave", "--ros", *option])
+    result = CliRunner().invoke(app, ["run", "wave", door, *option])
 
     assert result.exit_code == 2
-    assert f"{option[0]}: not with --ros" in " ".join(result.stderr.split())
+    assert f"{option[0]}: not with {door}" in " ".join(result.stderr.split())
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_page_without_what_it_needs_is_refused_in_one_line(tmp_path, monkeypatch):
+    monkeypatch.setattr(companion, "find_spec", lambda name: None if name == "viser" else object())
+    result = CliRunner().invoke(app, ["serve", "--view", "--folder", str(tmp_path / "live")])
+
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "humanoid-executive[view]" in result.stderr

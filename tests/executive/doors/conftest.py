@@ -2,6 +2,7 @@
 
 import threading
 import time
+from collections import deque
 
 import pytest
 
@@ -37,7 +38,7 @@ class ServedDouble:
         folder.make()
         self._desk = Desk(folder.executive_socket, self, lambda text: text == "stop")
         self._control = SocketServer(folder.control_socket, self._hear)
-        self._cancelled, self._over = False, threading.Event()
+        self._cancelled, self._over, self._shown = False, threading.Event(), deque()
         self._thread = threading.Thread(target=self._serve)
         self._thread.start()
 
@@ -62,6 +63,17 @@ class ServedDouble:
         return [
             {"name": "red cup", "words": "red cup", "kind": "cup", "color": "red", "is": "object", **place}
         ]
+
+    def world(self):
+        return {"version": 7, "things": self.scene()}
+
+    @property
+    def watched(self):
+        return bool(self._desk.watchers.connections)
+
+    def show(self, call):
+        """Have something told to those who watch, in the desk's own thread."""
+        self._shown.append(call)
 
     def close(self):
         self._over.set()
@@ -104,6 +116,8 @@ class ServedDouble:
         return "cancelled" if self._cancelled else "done"
 
     def _poll(self):
+        while self._shown:
+            self._shown.popleft()(self._desk.watchers)
         self._desk.poll()
         self._control.poll()
 

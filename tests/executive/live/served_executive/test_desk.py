@@ -10,6 +10,7 @@ from executive.live.desk_messages import (
     Answer,
     Cancel,
     GetScene,
+    GetWorld,
     HandBack,
     Jog,
     Listen,
@@ -19,12 +20,14 @@ from executive.live.desk_messages import (
     ScriptLine,
     TakeOver,
     Velocity,
+    Watch,
     write_desk_message,
 )
 from executive.live.served_executive.desk import Desk
 from robots.live.wire.connection import Connection
 from robots.live.wire.messages import GetStatus, read_object, write_message
 from robots.live.wire.unix_socket import connect_to
+from trees.events import Said
 
 
 class Attended:
@@ -44,6 +47,9 @@ class Attended:
 
     def scene(self):
         return [{"name": "red cup"}]
+
+    def world(self):
+        return {"version": 3, "things": []}
 
     def take_over(self):
         self.by_hand.append("take over")
@@ -151,6 +157,23 @@ def test_who_listens_is_not_told_twice_of_an_order_of_its_own_nor_after_it_has_g
     assert [read_object(frame.payload)["type"] for frame in person.connection.receive()] == ["line"]
     person.connection.close("")
     assert another().says(GetStatus())[-1]["listeners"] == 0
+
+
+def test_who_watches_hears_of_events_until_it_goes_away(desk, person, another):
+    watcher = another()
+    assert watcher.says(Watch()) == [{"type": "done"}]
+    desk.watchers.event(Said(1.0, "hello"))
+    (heard,) = [read_object(frame.payload) for frame in watcher.connection.receive()]
+    assert (heard["told"]["event"], heard["line"]) == ("Said", "says: hello")
+    assert person.connection.receive() == []
+
+    watcher.connection.close("")
+    desk.poll()
+    assert desk.watchers.connections == []
+
+
+def test_the_world_is_told_to_whoever_asks(person):
+    assert person.says(GetWorld()) == [{"type": "world", "version": 3, "things": []}]
 
 
 @pytest.mark.requirement("S7")

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from executive.live.served_executive.told_as_json import tree_json
+from executive.live.told_as_json import tree_json
 from trees.snapshot import NodeSnapshot
 
 ROOM_BYTES = 65_536 - 20_000

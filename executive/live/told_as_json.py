@@ -28,13 +28,13 @@ def tree_json(root: NodeSnapshot) -> list[Mapping[str, Any]]:
     Where they are too many for a message the idle ones are left out, and then the last.
     """
     nodes = list(_nodes(root, 0))
-    if len(_beginning(nodes)) < len(nodes):
+    if len(beginning(nodes)) < len(nodes):
         nodes = [one for one in nodes if one["status"] != "idle"]
-    return _beginning(nodes)
+    return beginning(nodes)
 
 
-def _beginning(told: list[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """As many of the first as fit a message."""
+def beginning(told: list[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """As many of the first values as fit a message beside what else a status says."""
     ends = np.cumsum([len(json.dumps(one)) + 1 for one in told])
     return told[: int(np.searchsorted(ends, _MOST_BYTES, side="right"))]
 
@@ -56,7 +56,7 @@ def scene_json(around: Surroundings) -> list[Mapping[str, Any]]:
     """
     held = [{"name": name, "words": label.words, "held": True} for name, label in around.held.items()]
     things = sorted(around.things, key=lambda one: float(np.hypot(*one.place_m[:2])))
-    return _beginning([*held, *map(_thing, things)])
+    return beginning([*held, *map(_thing, things)])
 
 
 def _thing(one: BelievedThing) -> Mapping[str, Any]:

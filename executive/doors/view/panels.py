@@ -1,0 +1,157 @@
+"""What the page tells in words, as HTML: how things stand, the tree, why something failed, the log.
+
+Colours are mixed with the page's own, so that all is read in the dark and in the light.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+from typing import Any
+
+from executive.doors.view.seen import Level, LogLine, Seen
+from executive.reports.feedback import quantity, sentence
+from executive.runs.recorded_failure import failure_from
+from executive.screens.tree_lines import GLYPHS
+from trees.failures import Failure
+
+_STATUS_COLORS: Mapping[str, str] = {
+    "idle": "#868e96",
+    "running": "#1c7ed6",
+    "success": "#2f9e44",
+    "failure": "#e03131",
+}
+_LEVEL_COLORS: Mapping[Level, str] = {
+    "info": "inherit",
+    "said": "#1c7ed6",
+    "warning": "#e8590c",
+    "error": "#e03131",
+    "alarm": "#e03131",
+}
+_LEVELS: tuple[Level, ...] = ("info", "said", "warning", "error", "alarm")
+_SHOWN_LINES = 120
+_BLOCK = "font-size:13px;line-height:1.35;overflow-wrap:anywhere;padding:2px 8px"
+_SCROLLS = "max-height:min(62vh,46rem);overflow-y:auto"
+
+
+def status_panel(seen: Seen) -> str:
+    """Robot, place, time, state, the task and its running leaf."""
+    rows = [f"<b>{escape(seen.robot)}</b> in {escape(seen.scene)} &nbsp; {seen.t_s:.1f} s"]
+    if seen.emergency:
+        rows.append(_alarm(f"EMERGENCY STOP: {seen.emergency}. A person leaves it: `executive reset`"))
+    elif seen.state and seen.state != "NORMAL":
+        rows.append(_alarm(seen.state))
+    if seen.complaint:
+        rows.append(_alarm(seen.complaint))
+    held = " <b>paused</b>" if seen.paused else ""
+    rows.append(f"task: <b>{escape(seen.task)}</b>{held}" if seen.task else "waits for a task")
+    if seen.task and (leaf := running_leaf(seen.nodes)) is not None:
+        rows.append(f"now: {escape(leaf['name'])} {escape(leaf['message'])}")
+    return _block(rows)
+
+
+def running_leaf(nodes: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | None:
+    """The node that runs and has no running node below it, the last of them; None where nothing runs."""
+    running = [node for node in nodes if node["status"] == "running"]
+    return running[-1] if running else None
+
+
+def tree_panel(nodes: Sequence[Mapping[str, Any]], search: str = "", unfolded: bool = False) -> str:
+    """The tree, a node a line.
+
+    Args:
+        nodes: From the root down, with their depths.
+        search: Shows only nodes with these letters in name or message, and what they are in.
+        unfolded: Whether branches that are over, or have not begun, show what is in them.
+    """
+    kept = _matching(nodes, search) if search.strip() else nodes if unfolded else _folded(nodes)
+    leaf = running_leaf(nodes)
+    return _block((_node(node, node is leaf) for node in kept), _SCROLLS)
+
+
+def _folded(nodes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Without what is in branches that have succeeded or have not begun."""
+    kept: list[Mapping[str, Any]] = []
+    closed_at: int | None = None
+    for node in nodes:
+        if closed_at is not None and node["depth"] > closed_at:
+            continue
+        closed_at = int(node["depth"]) if node["status"] in ("idle", "success") and node["depth"] else None
+        kept.append(node)
+    return kept
+
+
+def _matching(nodes: Sequence[Mapping[str, Any]], search: str) -> list[Mapping[str, Any]]:
+    wanted = search.strip().lower()
+    above: list[int] = []
+    shown: set[int] = set()
+    for index, node in enumerate(nodes):
+        above = [*(i for i in above if nodes[i]["depth"] < node["depth"]), index]
+        if wanted in f"{node['name']} {node['message']}".lower():
+            shown.update(above)
+    return [nodes[i] for i in sorted(shown)]
+
+
+def _node(node: Mapping[str, Any], current: bool) -> str:
+    status = str(node["status"])
+    color = _STATUS_COLORS.get(status, "inherit")
+    message = escape(str(node["message"])) if status != "idle" else ""
+    weight = "font-weight:600;background:rgba(28,126,214,.14);" if current else ""
+    return (
+        f'<span style="display:block;{weight}padding-left:{10 * int(node["depth"])}px">'
+        f'<span style="color:{color}">{GLYPHS.get(status, "?")} {escape(str(node["name"]))}</span> '  # type: ignore[call-overload]
+        f'<span style="opacity:.75">{message}</span></span>'
+    )
+
+
+def ending_panel(seen: Seen) -> str:
+    """What the last task measured, or why it failed, link by link; empty while there is nothing to tell."""
+    if seen.failure is not None:
+        rows = [
+            f'<span style="display:block;padding-left:{12 * depth}px;color:#e03131">'
+            f"{'because: ' if depth else 'failed: '}{escape(sentence(link))}</span>"
+            for depth, link in enumerate(_chain(failure_from(seen.failure)))
+        ]
+        return _block(rows)
+    if seen.evidence:
+        told = (escape(quantity(key, value)) for key, value in seen.evidence.items())
+        return _block(["<b>measured</b>", *told])
+    return ""
+
+
+def _chain(failure: Failure | None) -> Iterable[Failure]:
+    while failure is not None:
+        yield failure
+        failure = failure.cause
+
+
+def log_panel(log: Sequence[LogLine], least: Level = "info") -> str:
+    """The newest lines of the log, the newest below and in sight.
+
+    Args:
+        log: Lines, the newest last.
+        least: Lines of a lower level are left out.
+    """
+    kept = [one for one in log if _LEVELS.index(one.level) >= _LEVELS.index(least)][-_SHOWN_LINES:]
+    rows = (
+        f'<span style="color:{_LEVEL_COLORS[one.level]}"><span style="opacity:.6">{one.t_s:.1f}</span> '
+        f"{escape(one.text)}</span>"
+        for one in reversed(kept)
+    )
+    return _block(rows, f"{_SCROLLS};display:flex;flex-direction:column-reverse")
+
+
+def question_panel(question: Mapping[str, Any]) -> str:
+    """What is asked."""
+    tried = str(question.get("tried") or "")
+    wrong = f"<i>{escape(tried)}</i>" if tried else ""
+    return _block([wrong, f"<b>{escape(str(question['text']))}</b>"])
+
+
+def _alarm(text: str) -> str:
+    return f'<b style="color:#fff;background:#e03131;padding:1px 6px;border-radius:4px">{escape(text)}</b>'
+
+
+def _block(rows: Iterable[str], style: str = "") -> str:
+    inner = "".join(f"<div>{row}</div>" for row in rows if row)
+    return f'<div style="{_BLOCK};{style}">{inner}</div>'

@@ -1,0 +1,75 @@
+"""The whole world as it is believed, for programs that draw it: solids, poses, errors and confidences.
+
+Lengths are metres; poses are in the odometry frame as place and quaternion (x, y, z, w).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from executive.live.told_as_json import beginning
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Box, Cylinder, Shape
+from kinematics.scene.planning_scene import FLOOR, SceneObject
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.scene.believed_thing import PERSON
+from trees.beliefs.scene.labels import label_of
+from trees.world_model import WorldModel
+
+
+def world_json(world: WorldModel) -> dict[str, Any]:
+    """What is believed, as JSON values: the version of the scene and its things, nearest the origin first.
+
+    A thing's ``held`` is the frame that carries it, and its pose is then in that frame. ``error_m`` are the
+    standard deviations along x, y and z, and ``confidence`` is that of the look of this task that showed it;
+    both are left out where no look of this task did.
+
+    Args:
+        world: The world model.
+    """
+    scene = world.scene
+    held = [
+        {**_thing(body.body, body.frame_T_object, world.sightings.get(name)), "held": body.frame}
+        for name, body in sorted(scene.attached.items())
+    ]
+    free = sorted(scene.objects.values(), key=lambda one: float(np.hypot(*one.world_T_object[:2, 3])))
+    things = [
+        _thing(one, one.world_T_object, world.sightings.get(one.name)) for one in free if one.name != FLOOR
+    ]
+    return {"version": scene.version, "things": beginning([*held, *things])}
+
+
+def _thing(one: SceneObject, pose: Transform, seen: ObjectEstimate | None) -> Mapping[str, Any]:
+    label = label_of(one)
+    is_person = not one.movable and (label.kind == PERSON or one.name[:1].isupper())
+    told: dict[str, Any] = {
+        "name": one.name,
+        "kind": label.kind,
+        "color": label.color,
+        "is": "object" if one.movable else "person" if is_person else "furniture",
+        **_solid(one.shape),
+        "place_m": _rounded(pose[:3, 3], 4),
+        "quaternion": _rounded(poses.quaternion_from_rotation(pose[:3, :3]), 5),
+        "margin_m": round(one.margin_m, 4),
+    }
+    if seen is not None:
+        told["confidence"] = round(seen.confidence, 3)
+        if seen.error is not None:
+            told["error_m"] = _rounded(np.sqrt(np.diag(seen.error.covariance_m2)), 4)
+    return {key: value for key, value in told.items() if value is not None}
+
+
+def _solid(shape: Shape) -> dict[str, Any]:
+    if isinstance(shape, Box):
+        return {"shape": "box", "size_m": _rounded(np.array(shape.size_m), 4)}
+    if isinstance(shape, Cylinder):
+        return {"shape": "cylinder", "size_m": [round(shape.radius_m, 4), round(shape.height_m, 4)]}
+    return {"shape": "ball", "size_m": [round(shape.radius_m, 4)]}
+
+
+def _rounded(values: Any, digits: int) -> list[float]:
+    return [round(float(value), digits) for value in values]
