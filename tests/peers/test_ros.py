@@ -9,6 +9,7 @@ import pytest
 
 import executive.doors.ros.node
 from executive.doors.ros.node.client_watch import LEASE_S
+from executive.doors.ros.node.ending import ENDS_WITHIN_S
 from executive.doors.served_robot import ServedRobot
 from executive.live.caller.caller import ask_at
 from robots.live.wire.messages import Reset, write_control_message
@@ -108,11 +109,9 @@ def node(served, peer, tmp_path):
     sentences = tmp_path / "sentences.txt"
     sentences.write_text("\n".join(SENTENCES))
     process = peer(NODE, served, "--sentences", sentences)
-    try:
-        yield
-    finally:
-        process.terminate()
-        process.wait(20.0)
+    yield process
+    process.terminate()
+    assert process.wait(2.0 * ENDS_WITHIN_S) == 0
 
 
 @pytest.mark.parametrize(("number", "status", "code"), [(DONE, SUCCEEDED, 0), (TOO_FAST, ABORTED, 2)])
@@ -142,3 +141,14 @@ def test_a_client_that_dies_is_a_cancel(served, peer, at_rest, tmp_path):
         client.wait(90.0)
         at_rest(LEASE_S + 8.0)  # a participant's lease of Fast DDS is 20 s
         assert told(peer("act.py", DONE))["exit_code"] == 0
+
+
+@pytest.mark.requirement("S7")
+def test_the_node_ends_within_its_time_and_its_tasks_with_it(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path) as process:
+        client = peer("act.py", LONG, "die", 3)
+        client.wait(90.0)
+        process.terminate()
+        assert process.wait(2.0 * ENDS_WITHIN_S) == 0
+    at_rest(LEASE_S)

@@ -19,7 +19,6 @@ its goal's id (``unique_identifier_msgs/UUID``) on ``<action>/alive`` every seco
 from __future__ import annotations
 
 import argparse
-import contextlib
 import json
 import socket
 import struct
@@ -30,11 +29,13 @@ from typing import Any
 
 import rclpy
 from client_watch import ClientWatch
+from ending import Ending
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
 from std_srvs.srv import Trigger
 from unique_identifier_msgs.msg import UUID
 
@@ -45,6 +46,7 @@ POLL_S = 0.1
 ANSWER_WITHIN_S = 5.0
 LONGEST_MESSAGE = 65_536
 AT_ONCE = Duration(nanoseconds=1_000)
+GOALS_END_WITHIN_S, EXECUTOR_ENDS_WITHIN_S = 5.0, 2.0
 
 
 class Link:
@@ -90,11 +92,10 @@ class Link:
 class HumanoidNode(Node):
     """The services and the action of one served robot."""
 
-    def __init__(self, folder: Path, sentences: list[str]) -> None:
+    def __init__(self, folder: Path, sentences: list[str], ending: Ending) -> None:
         super().__init__("humanoid_executive_node")
-        self._folder, self._sentences = folder, sentences
+        self._folder, self._sentences, self._ending = folder, sentences, ending
         self._group = ReentrantCallbackGroup()
-        self._busy = threading.Lock()
         for name, call in (("stop", self._stop), ("cancel", self._cancel), ("reset", self._reset)):
             self.create_service(Trigger, name, call, callback_group=self._group)
         if sentences:
@@ -119,10 +120,19 @@ class HumanoidNode(Node):
             kind,
             name,
             execute_callback=execute,
-            goal_callback=lambda _goal: GoalResponse.ACCEPT,
+            goal_callback=self._accept,
             cancel_callback=lambda _goal: CancelResponse.ACCEPT,
             callback_group=self._group,
         )
+
+    def _accept(self, _goal: Any) -> GoalResponse:
+        return GoalResponse.REJECT if self._ending.is_asked else GoalResponse.ACCEPT
+
+    def wait_for_goals(self) -> None:
+        """Wait until the tasks of running goals have been cancelled, as far as that goes in time."""
+        until_s = time.monotonic() + GOALS_END_WITHIN_S
+        while self._watches and time.monotonic() < until_s:
+            time.sleep(POLL_S)
 
     # ------------------------------------------------------------------ services
 
@@ -205,9 +215,8 @@ class HumanoidNode(Node):
                         refused = {"outcome": "refused", "exit_code": 2, "text": message.get("reason", "")}
                         ending = message if message["type"] == "result" else refused
                         break
-                    gone = watch.is_gone(time.monotonic())
-                    if (gone or goal.is_cancel_requested) and not asked_to_end:
-                        reason = "the action's client is gone" if gone else "the action was cancelled"
+                    reason = "" if asked_to_end else self._why_to_end(goal, watch)
+                    if reason:
                         self._ask("executive.sock", "cancel", reason=reason)
                         asked_to_end = True
             finally:
@@ -223,6 +232,14 @@ class HumanoidNode(Node):
         else:
             goal.abort()
         return ending
+
+    def _why_to_end(self, goal: Any, watch: ClientWatch) -> str:
+        """Why a goal's task has to be cancelled, or nothing."""
+        if watch.is_gone(time.monotonic()):
+            return "the action's client is gone"
+        if goal.is_cancel_requested:
+            return "the action was cancelled"
+        return "the action's node ends" if self._ending.is_asked else ""
 
     # ------------------------------------------------------------------ clients
 
@@ -261,11 +278,25 @@ def main() -> None:
     parser.add_argument("--sentences", type=Path, help="a sentence a line, for the action of test_msgs")
     chosen = parser.parse_args()
     sentences = chosen.sentences.read_text("utf-8").splitlines() if chosen.sentences else []
-    rclpy.init()
+    ending = Ending()
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    node = HumanoidNode(chosen.folder, sentences, ending)
     executor = MultiThreadedExecutor(4)
-    executor.add_node(HumanoidNode(chosen.folder, sentences))
-    with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-        executor.spin()
+    executor.add_node(node)
+
+    def spin() -> None:
+        try:
+            executor.spin()
+        finally:
+            ending.ask()
+
+    threading.Thread(target=spin, name="executor", daemon=True).start()
+    ending.wait()
+    node.wait_for_goals()
+    executor.shutdown(EXECUTOR_ENDS_WITHIN_S)
+    node.destroy_node()
+    rclpy.shutdown()
+    ending.leave()
 
 
 if __name__ == "__main__":
