@@ -1,8 +1,9 @@
 """Suite ``ros_hostile``: malformed and hostile samples on every topic that the ROS door reads.
 
 None may end the bridge, the executive or the control, none may move the robot or engage its stop; the memory
-of all three settles; a proper sentence is carried out afterwards. ``--episodes N`` sends N thousand samples
-to every topic. Last come as many on the stop's topic, which may stop the robot and nothing else.
+of each of the three stays within 2 % of what it was after the first tenth; a proper sentence is carried out
+afterwards. ``--episodes N`` sends N thousand samples to every topic. Last come as many on the stop's topic,
+which may stop the robot and nothing else.
 """
 
 from __future__ import annotations
@@ -45,13 +46,13 @@ def run_ros_hostile(options: argparse.Namespace, messages: Console) -> int:
     ):
         robot.wait_until_ready()
         found = _Trial(robot, options.seed, messages).run(1000 * options.episodes)
-    growth = {name: max(kept[_SETTLED:]) / kept[_SETTLED] - 1.0 for name, kept in found["memory_kb"].items()}
+    growth = {name: growth_of(kept) for name, kept in found["memory_kb"].items()}
     good = (
         found["alive"]
         and found["moved"] == 0
         and found["afterwards"].startswith("done")
         and not found["emergency"]
-        and max(growth.values()) <= GROWTH
+        and all(one["within"] for one in growth.values())
     )
     document = {
         "suite": SUITE,
@@ -65,6 +66,27 @@ def run_ros_hostile(options: argparse.Namespace, messages: Console) -> int:
         options.json.write_text(json.dumps(document, indent=1) + "\n", "utf-8")
     Console().print(json.dumps(document, indent=1))
     return 0 if good else 1
+
+
+def growth_of(kept_kb: list[int]) -> dict[str, Any]:
+    """How the memory of a process went on from the look at which it has settled.
+
+    Args:
+        kept_kb: Resident memory at each look.
+
+    Returns:
+        Then, and the lowest and the highest after it, in kB; these two as shares of that; whether both lie
+        within the bar.
+    """
+    settled, after = kept_kb[min(_SETTLED, len(kept_kb) - 1)], kept_kb[_SETTLED:] or kept_kb[-1:]
+    low, high = min(after) / settled - 1.0, max(after) / settled - 1.0
+    return {
+        "settled_kb": settled,
+        "lowest_kb": min(after),
+        "highest_kb": max(after),
+        "share": [round(low, 5), round(high, 5)],
+        "within": -GROWTH <= low and high <= GROWTH,
+    }
 
 
 class _Trial:
@@ -92,7 +114,7 @@ class _Trial:
         moved, emergency = robot.started, bool(robot.status()["stops"])
         alive = robot.bridge_lives and robot.service.executive.poll() is None
         line = self._afterwards() if alive else "the bridge or the executive has ended"
-        sent += self._flood([(self._stops, Bool)], samples, {})
+        sent += self._flood([(self._stops, Bool)], samples, memory)
         self._wall.sleep(1.0)
         return {
             "samples": sent,
