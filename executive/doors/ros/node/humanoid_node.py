@@ -11,9 +11,11 @@ is the number of a line in the file, the result's sequence holds the exit code. 
 and ``reset`` (``std_srvs/Trigger``); ``reset`` only tells how a person does it.
 
 A goal lives as long as its client (``client_watch.py`` beside this file). One that is killed is known by its
-missing acknowledgements within 5 s where no other client of the action is there, and else when its DDS
-participant's lease has run out (Fast DDS: 20 s unless its profile says otherwise). A client that publishes
-its goal's id (``unique_identifier_msgs/UUID``) on ``<action>/alive`` every second is judged by that alone.
+missing acknowledgements within 5 s where no other client of the action is there, or its process was one of
+this machine; else when its DDS participant's lease has run out (Fast DDS: 20 s unless its profile says
+otherwise). Before Kilted nobody tells which of several clients sent a goal, which then lives as long as the
+last of those that were there. A client that publishes its goal's id (``unique_identifier_msgs/UUID``) on
+``<action>/alive`` every second is judged by that alone.
 """
 
 from __future__ import annotations
@@ -28,13 +30,15 @@ from pathlib import Path
 from typing import Any
 
 import rclpy
-from client_watch import ClientWatch
+from client_watch import LEASE_S, RARELY_ASKED_LEASE_S, ClientWatch
 from ending import Ending
+from fast_dds import PARTICIPANT, Processes, ask_often
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
+from rclpy.qos import QoSProfile
 from rclpy.signals import SignalHandlerOptions
 from std_srvs.srv import Trigger
 from unique_identifier_msgs.msg import UUID
@@ -46,6 +50,8 @@ POLL_S = 0.1
 ANSWER_WITHIN_S = 5.0
 LONGEST_MESSAGE = 65_536
 AT_ONCE = Duration(nanoseconds=1_000)
+MOST_SENDERS = 50
+REQUEST_RECEIVED = 1
 GOALS_END_WITHIN_S, EXECUTOR_ENDS_WITHIN_S = 5.0, 2.0
 
 
@@ -92,8 +98,9 @@ class Link:
 class HumanoidNode(Node):
     """The services and the action of one served robot."""
 
-    def __init__(self, folder: Path, sentences: list[str], ending: Ending) -> None:
+    def __init__(self, folder: Path, sentences: list[str], ending: Ending, lease_s: float) -> None:
         super().__init__("humanoid_executive_node")
+        self._lease_s, self._processes = lease_s, Processes()
         self._folder, self._sentences, self._ending = folder, sentences, ending
         self._group = ReentrantCallbackGroup()
         for name, call in (("stop", self._stop), ("cancel", self._cancel), ("reset", self._reset)):
@@ -114,6 +121,7 @@ class HumanoidNode(Node):
         self._probe = self.create_publisher(self._feedback_type, self._feedback_topic, 10)
         self._silent: set[bytes] = set()
         self._watches: dict[bytes, ClientWatch] = {}
+        self._senders: dict[bytes, bytes] = {}
         self.create_subscription(UUID, f"{name}/alive", self._alive, 10, callback_group=self._group)
         self._server = ActionServer(
             self,
@@ -124,6 +132,17 @@ class HumanoidNode(Node):
             cancel_callback=lambda _goal: CancelResponse.ACCEPT,
             callback_group=self._group,
         )
+        if hasattr(self._server, "configure_introspection"):  # since Kilted
+            self._hear_senders(name, kind)
+
+    def _hear_senders(self, name: str, kind: Any) -> None:
+        """Hear of each goal who sent it."""
+        from rclpy.service_introspection import ServiceIntrospectionState
+
+        clock, qos = self.get_clock(), QoSProfile(depth=MOST_SENDERS)
+        self._server.configure_introspection(clock, qos, ServiceIntrospectionState.CONTENTS)
+        event, topic = kind.Impl.SendGoalService.Event, f"{name}/_action/send_goal/_service_event"
+        self.create_subscription(event, topic, self._sent, MOST_SENDERS, callback_group=self._group)
 
     def _accept(self, _goal: Any) -> GoalResponse:
         return GoalResponse.REJECT if self._ending.is_asked else GoalResponse.ACCEPT
@@ -250,13 +269,38 @@ class HumanoidNode(Node):
             lambda: bool(self._probe.wait_for_all_acked(AT_ONCE)),
             self._silent,
             time.monotonic(),
+            self._processes.has_ended,
+            self._lease_s,
         )
         self._watches[bytes(goal.goal_id.uuid)] = watch
+        self._tell_sender(bytes(goal.goal_id.uuid))
         return watch
 
     def _listeners(self) -> frozenset[bytes]:
         found = self.get_subscriptions_info_by_topic(self._feedback_topic)
-        return frozenset(bytes(one.endpoint_gid) for one in found)
+        there = frozenset(bytes(one.endpoint_gid) for one in found)
+        mine = [
+            bytes(one.endpoint_gid)
+            for one in self.get_publishers_info_by_topic(self._feedback_topic)
+            if one.node_name == self.get_name()
+        ]
+        self._processes.see(there, mine[0] if mine else b"")
+        return there
+
+    def _sent(self, event: Any) -> None:
+        """Hear who sent a goal, before or after it was begun."""
+        if event.info.event_type != REQUEST_RECEIVED or not event.request:
+            return
+        goal_id = bytes(event.request[0].goal_id.uuid)
+        self._senders[goal_id] = bytes(event.info.client_gid)
+        for old in list(self._senders)[:-MOST_SENDERS]:
+            self._senders.pop(old, None)
+        self._tell_sender(goal_id)
+
+    def _tell_sender(self, goal_id: bytes) -> None:
+        watch, sender = self._watches.get(goal_id), self._senders.get(goal_id)
+        if watch is not None and sender is not None:
+            watch.sent_by(sender[:PARTICIPANT])
 
     def _alive(self, goal_id: Any) -> None:
         watch = self._watches.get(bytes(goal_id.uuid))
@@ -279,8 +323,9 @@ def main() -> None:
     chosen = parser.parse_args()
     sentences = chosen.sentences.read_text("utf-8").splitlines() if chosen.sentences else []
     ending = Ending()
+    lease_s = LEASE_S if ask_often() else RARELY_ASKED_LEASE_S
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
-    node = HumanoidNode(chosen.folder, sentences, ending)
+    node = HumanoidNode(chosen.folder, sentences, ending, lease_s)
     executor = MultiThreadedExecutor(4)
     executor.add_node(node)
 
