@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -36,7 +37,7 @@ _SETTLED = 2
 _SETTLES_S = 5.0
 _TRIES = 50
 _AFTERWARDS = "wait for 0.2 seconds"
-_ENDS_WITHIN_S = 60.0
+_SAYS_EVERY_S, _ENDS_WITHIN_S = 10.0, 60.0
 
 
 def run_ros_hostile(options: argparse.Namespace, messages: Console) -> int:
@@ -172,15 +173,20 @@ class _Trial:
         return True
 
     def _afterwards(self) -> str:
-        """Say a sentence as anybody does, and hear its last line."""
+        """Say a sentence as anybody does, again where it is refused, and hear its last line.
+
+        What was queued up before it has to be refused first.
+        """
         lines: list[str] = []
 
         def ended() -> bool:
             lines.extend(one.data for one in taken(self._heard))
             return any(line.startswith("done") for line in lines)
 
-        until_s = self._wall.now_s() + _ENDS_WITHIN_S
-        self._said.write(String(_AFTERWARDS))
+        until_s, said_s = self._wall.now_s() + _ENDS_WITHIN_S, -math.inf
         while not ended() and self._wall.now_s() < until_s:
+            if self._wall.now_s() - said_s >= _SAYS_EVERY_S:
+                said_s = self._wall.now_s()
+                self._said.write(String(_AFTERWARDS))
             self._wall.sleep(0.05)
         return lines[-1] if lines else "nothing was heard"
