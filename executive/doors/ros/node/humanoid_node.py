@@ -9,7 +9,9 @@ The action ``execute_task`` and the service ``answer`` are of ``humanoid_executi
 beside this file, where that is built. Without it, ``--sentences FILE`` serves ``execute_numbered`` of
 ``test_msgs`` instead: the goal's order is the number of a line in the file, the result's sequence holds the
 exit code; and ``answer`` is ``test_msgs/BasicTypes`` with the answer in ``string_value``. Further services:
-``stop``, ``cancel`` and ``reset`` (``std_srvs/Trigger``); ``reset`` only tells how a person does it.
+``stop``, ``cancel`` and ``reset`` (``std_srvs/Trigger``); ``reset`` only tells how a person does it. Where
+``control_msgs`` is, ``follow_joint_trajectory`` carries out motions that were planned elsewhere, if the
+robot's checker agrees.
 
 A goal lives as long as its client (``client_watch.py`` beside this file). One that is killed is known by its
 missing acknowledgements within 5 s where no other client of the action is there, or its process was one of
@@ -22,6 +24,7 @@ last of those that were there. A client that publishes its goal's id (``unique_i
 from __future__ import annotations
 
 import argparse
+import contextlib
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -32,6 +35,7 @@ import rclpy
 from client_watch import LEASE_S, RARELY_ASKED_LEASE_S, ClientWatch
 from ending import Ending
 from fast_dds import ask_often
+from follow_trajectory import GivenFile, InvalidGoalError, joint_motion, result_of
 from goal_clients import GoalClients
 from own_messages import feedback_fields, result_fields
 from progress import Progress, account_of
@@ -73,6 +77,10 @@ class HumanoidNode(Node):
 
             self._serve("execute_task", ExecuteTask, self._task)
             self.create_service(Answer, "answer", self._answer, callback_group=self._group)
+        with contextlib.suppress(ImportError):  # it is no part of rclpy's wheels
+            from control_msgs.action import FollowJointTrajectory
+
+            self._serve("follow_joint_trajectory", FollowJointTrajectory, self._follow)
 
     def _serve(self, name: str, kind: Any, execute: Callable[[Any, GoalClients], Any]) -> None:
         clients = GoalClients(self, name, kind, self._group, self._lease_s)
@@ -164,6 +172,19 @@ class HumanoidNode(Node):
 
         ending = self._carried_out(goal, clients, {"kind": "say", "text": goal.request.text}, tell)
         return ExecuteTask.Result(**result_fields(account_of(ending), msg))
+
+    def _follow(self, goal: Any, clients: GoalClients) -> Any:
+        from control_msgs.action import FollowJointTrajectory
+
+        try:
+            motion = joint_motion(goal.request)
+        except InvalidGoalError as wrong:
+            goal.abort()
+            return FollowJointTrajectory.Result(error_code=wrong.code, error_string=str(wrong))
+        with GivenFile(self._folder, motion) as given:
+            ending = self._carried_out(goal, clients, given.order, lambda _progress: None)
+        code, told = result_of(ending)
+        return FollowJointTrajectory.Result(error_code=code, error_string=told)
 
     def _carried_out(
         self,
