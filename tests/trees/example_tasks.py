@@ -68,7 +68,7 @@ FURTHER = {
     MoveTask: (MoveTask("follow the velocities", is_fed=True),),
     WaitTask: (
         FollowTrajectoryTask("follow a trajectory", ELBOW),
-    ),  # no skill, and what has leaves of its own
+    ),  # it is no skill
 }
 
 
