@@ -61,8 +61,8 @@ class HumanoidNode(Node):
         self._folder, self._sentences = folder, sentences
         self._ending, self._lease_s = ending, lease_s
         self._group = ReentrantCallbackGroup()
-        self._clients: list[GoalClients] = []
-        self._servers: list[ActionServer] = []
+        self._goal_clients: list[GoalClients] = []
+        self._action_servers: list[ActionServer] = []
         for name, call in (("stop", self._stop), ("cancel", self._cancel), ("reset", self._reset)):
             self.create_service(Trigger, name, call, callback_group=self._group)
         if sentences:
@@ -94,8 +94,8 @@ class HumanoidNode(Node):
             callback_group=self._group,
         )
         clients.hear_senders(server)
-        self._clients.append(clients)
-        self._servers.append(server)
+        self._goal_clients.append(clients)
+        self._action_servers.append(server)
 
     def _accept(self, _goal: Any) -> GoalResponse:
         return GoalResponse.REJECT if self._ending.is_asked else GoalResponse.ACCEPT
@@ -103,7 +103,7 @@ class HumanoidNode(Node):
     def wait_for_goals(self) -> None:
         """Wait until the tasks of running goals have been cancelled, as far as that goes in time."""
         until_s = time.monotonic() + GOALS_END_WITHIN_S
-        while any(one.goals for one in self._clients) and time.monotonic() < until_s:
+        while any(one.goals for one in self._goal_clients) and time.monotonic() < until_s:
             time.sleep(POLL_S)
 
     # ------------------------------------------------------------------ services
