@@ -13,22 +13,21 @@ from pathlib import Path
 PARTICIPANT = 12
 """So many bytes of an endpoint's id are its participant's."""
 _VENDOR, _MACHINE, _PROCESS = b"\x01\x0f", slice(2, 4), slice(4, 6)
-_PROFILES = {
-    "FASTRTPS_DEFAULT_PROFILES_FILE": "fast_dds_2.xml",
-    "FASTDDS_DEFAULT_PROFILES_FILE": "fast_dds_3.xml",
-}
-"""Fast DDS 2 is told by the first, Fast DDS 3 by the second; they differ in an element's name."""
+_VARIABLES = {2: "FASTRTPS_DEFAULT_PROFILES_FILE", 3: "FASTDDS_DEFAULT_PROFILES_FILE"}
+"""What tells each version of Fast DDS its profiles."""
 
 
-def ask_often() -> bool:
+def ask_often(version: int) -> bool:
     """Have the writers of this process ask for acknowledgements four times a second.
 
     To be called before rclpy begins. False, and nothing is changed, where the user has profiles of their own.
+
+    Args:
+        version: Of Fast DDS: 2 or 3, whose profiles differ in the name of an element.
     """
-    if any(os.environ.get(name) for name in _PROFILES):
+    if any(os.environ.get(name) for name in _VARIABLES.values()):
         return False
-    folder = Path(__file__).parent
-    os.environ.update({name: os.fspath(folder / file) for name, file in _PROFILES.items()})
+    os.environ[_VARIABLES[version]] = os.fspath(Path(__file__).parent / f"fast_dds_{version}.xml")
     return True
 
 

@@ -226,7 +226,8 @@ def main() -> None:
     chosen = parser.parse_args()
     sentences = chosen.sentences.read_text("utf-8").splitlines() if chosen.sentences else []
     ending = Ending()
-    lease_s = LEASE_S if ask_often() else RARELY_ASKED_LEASE_S
+    is_kilted = hasattr(ActionServer, "configure_introspection")
+    lease_s = LEASE_S if ask_often(3 if is_kilted else 2) else RARELY_ASKED_LEASE_S
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     node = HumanoidNode(chosen.folder, sentences, ending, lease_s)
     executor = MultiThreadedExecutor(8)

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 import pytest
 
@@ -74,5 +75,22 @@ def test_a_users_own_profile_stays(monkeypatch):
     monkeypatch.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/mine.xml")
     monkeypatch.delenv("FASTDDS_DEFAULT_PROFILES_FILE", raising=False)
 
-    assert not ask_often()
+    assert not ask_often(3)
     assert "FASTDDS_DEFAULT_PROFILES_FILE" not in os.environ
+
+
+@pytest.mark.parametrize(
+    ("version", "variable", "period"),
+    [
+        (2, "FASTRTPS_DEFAULT_PROFILES_FILE", "heartbeatPeriod"),
+        (3, "FASTDDS_DEFAULT_PROFILES_FILE", "heartbeat_period"),
+    ],
+)
+def test_each_fast_dds_gets_a_profile_in_its_own_words(monkeypatch, version, variable, period):
+    for name in ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"):
+        monkeypatch.setenv(name, "")
+
+    assert ask_often(version)
+
+    root = ElementTree.parse(os.environ[variable]).getroot()
+    assert [one.tag.rpartition("}")[2] for one in root.iter()][-3:] == [period, "sec", "nanosec"]
