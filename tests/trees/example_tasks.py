@@ -66,9 +66,7 @@ FURTHER = {
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
     AnswerTask: (AnswerTask("tell Ana the time", "time", "Ana"),),
     MoveTask: (MoveTask("follow the velocities", is_fed=True),),
-    WaitTask: (
-        FollowTrajectoryTask("follow a trajectory", ELBOW),
-    ),  # it is no skill
+    WaitTask: (FollowTrajectoryTask("follow a trajectory", ELBOW),),  # it is no skill
 }
 
 

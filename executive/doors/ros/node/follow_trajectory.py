@@ -8,7 +8,6 @@ Tolerances are the robot's own: a goal that brings some is refused, and so is on
 from __future__ import annotations
 
 import json
-import uuid
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -72,11 +71,12 @@ class GivenFile:
 
     Args:
         folder: Where the robot is served.
+        name: Of the goal, unlike any other's.
         motion: What ``joint_motion`` made.
     """
 
-    def __init__(self, folder: Path, motion: Mapping[str, Any]) -> None:
-        self.path = folder / f"given-{uuid.uuid4().hex}.json"
+    def __init__(self, folder: Path, name: str, motion: Mapping[str, Any]) -> None:
+        self.path = folder / f"given-{name}.json"
         self._motion = motion
 
     def __enter__(self) -> GivenFile:

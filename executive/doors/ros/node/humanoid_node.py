@@ -181,7 +181,7 @@ class HumanoidNode(Node):
         except InvalidGoalError as wrong:
             goal.abort()
             return FollowJointTrajectory.Result(error_code=wrong.code, error_string=str(wrong))
-        with GivenFile(self._folder, motion) as given:
+        with GivenFile(self._folder, bytes(goal.goal_id.uuid).hex(), motion) as given:
             ending = self._carried_out(goal, clients, given.order, lambda _progress: None)
         code, told = result_of(ending)
         return FollowJointTrajectory.Result(error_code=code, error_string=told)

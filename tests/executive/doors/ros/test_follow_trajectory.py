@@ -43,7 +43,7 @@ def goal(*points, joints=("a", "b"), stamp_s=0.0, **more):
 def test_a_goal_is_handed_over_as_the_robot_reads_it(follow, tmp_path):
     asked = goal(point(0.5, [0.1, 0.2]), point(1.25, [0.2, 0.3], [0.0, 0.5]))
 
-    with follow.GivenFile(tmp_path, follow.joint_motion(asked)) as given:
+    with follow.GivenFile(tmp_path, "a1b2", follow.joint_motion(asked)) as given:
         read = read_joint_motion(Path(given.order["path"]).read_text())
 
     assert read.joints == ("a", "b")
