@@ -96,11 +96,17 @@ _SLOT_NAMES = {"source": "from", "words": "text"}
 
 
 def command_json(command: Command) -> dict[str, Any]:
-    """One command's slots; absent and false ones are left out, and so is a count of one."""
+    """One command's slots, without absent and false ones, a count of one, and what is too long to tell."""
     slots: dict[str, Any] = {"action": command.action}
     for field in fields(command):
         value = getattr(command, field.name)
-        if field.name == "text" or value is None or value is False or (field.name == "count" and value == 1):
+        if (
+            field.name == "text"
+            or not field.repr
+            or value is None
+            or value is False
+            or (field.name == "count" and value == 1)
+        ):
             continue
         slots[_SLOT_NAMES.get(field.name, field.name)] = _slot(value)
     return slots

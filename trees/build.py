@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from py_trees.composites import Sequence
 
+from trees.given_motion import FollowTrajectoryTask, follow_trajectory
 from trees.readiness import clear_hands
 from trees.registry import skill_of, skills
 from trees.task_tree import TaskTree
@@ -32,6 +33,8 @@ def build_tree(task: Task, toolbox: Toolbox) -> TaskTree:
     Raises:
         NoSkillError: There is no tree for such a task.
     """
+    if isinstance(task, FollowTrajectoryTask):
+        return TaskTree(task, follow_trajectory(toolbox), toolbox)
     skill = skill_of(task)
     if skill is None:
         raise NoSkillError(task)

@@ -80,6 +80,13 @@ class Velocity:
 
 
 @dataclass(frozen=True, slots=True)
+class FollowTrajectory:
+    """Move joints as a file says (``kinematics.formats.joint_motion``), where the checker agrees."""
+
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
 class TakeOver:
     """A person wants the robot in hand: the task under way, or the one that failed last, or none."""
 
@@ -146,6 +153,7 @@ DeskMessage = (
     | Listen
     | Watch
     | Velocity
+    | FollowTrajectory
     | TakeOver
     | Jog
     | HandBack
@@ -165,6 +173,7 @@ _MESSAGES: Mapping[str, type] = {
     "listen": Listen,
     "watch": Watch,
     "velocity": Velocity,
+    "follow_trajectory": FollowTrajectory,
     "take_over": TakeOver,
     "jog": Jog,
     "hand_back": HandBack,

@@ -21,9 +21,17 @@ UNTOLD = {
 # Referees that the development environment alone has.
 REFEREES = {"behaviortreepy", "scipy", "jsonschema"}
 # What a user of ROS has, for the node that runs there.
-ROS = {"rclpy", "std_srvs", "test_msgs", "humanoid_executive_interfaces", "unique_identifier_msgs"}
+ROS = {
+    "rclpy",
+    "std_srvs",
+    "test_msgs",
+    "humanoid_executive_interfaces",
+    "unique_identifier_msgs",
+    "control_msgs",
+}
 # What stands beside the node, which is started as a file.
-ROS |= {"client_watch"}
+NODE = Path(__file__).parents[2] / "executive" / "doors" / "ros" / "node"
+ROS |= {path.stem for path in NODE.glob("*.py")}
 
 
 def test_every_library_that_is_imported_is_declared():

@@ -1,5 +1,6 @@
 """A robot that is served with every door open, for programs that nobody here wrote."""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -33,18 +34,21 @@ def served(tmp_path_factory):
         str(folder / "runs"),
     ]
     with subprocess.Popen(command) as process:
-        robot, began_s = ServedRobot(folder), time.monotonic()
-        while True:
-            try:
-                robot.status()
-                break
-            except LiveError:
-                assert process.poll() is None, "the robot is not served"
-                assert time.monotonic() - began_s < READY_WITHIN_S
-                time.sleep(0.5)
-        yield folder
-        process.terminate()
-        process.wait(30.0)
+        try:
+            robot, began_s = ServedRobot(folder), time.monotonic()
+            while True:
+                try:
+                    robot.status()
+                    break
+                except LiveError:
+                    assert process.poll() is None, "the robot is not served"
+                    assert time.monotonic() - began_s < READY_WITHIN_S
+                    time.sleep(0.5)
+            yield folder
+            process.terminate()
+            process.wait(30.0)
+        finally:
+            process.kill()
 
 
 @pytest.fixture(scope="session", params=ROS_NAMES)
@@ -60,7 +64,8 @@ def rclpy(request):
 
 @pytest.fixture
 def peer(rclpy):
-    """Runs a program of ``programs`` by rclpy, and answers its process."""
+    """Runs a program of ``programs`` by rclpy, and answers its process; none outlives the test."""
+    running = contextlib.ExitStack()
 
     def run(name, *arguments):
         surroundings = {
@@ -70,9 +75,13 @@ def peer(rclpy):
         }
         surroundings.pop("PYTHONPATH", None)
         command = [str(rclpy), str(PROGRAMS / name), *map(str, arguments)]
-        return subprocess.Popen(command, env=surroundings, stdout=subprocess.PIPE, text=True)
+        process = subprocess.Popen(command, env=surroundings, stdout=subprocess.PIPE, text=True)
+        running.enter_context(process)
+        running.callback(process.kill)
+        return process
 
-    return run
+    with running:
+        yield run
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@ import pytest
 
 import executive.doors.ros.node
 from executive.doors.ros.node.client_watch import LEASE_S
+from executive.doors.ros.node.ending import ENDS_WITHIN_S
 from executive.doors.served_robot import ServedRobot
 from executive.live.caller.caller import ask_at
 from robots.live.wire.messages import Reset, write_control_message
@@ -17,8 +18,10 @@ from robots.models.description import load_description
 
 pytestmark = [pytest.mark.requirement("U3"), pytest.mark.timeout(400)]
 NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
-SENTENCES = ("wait for 0.5 seconds", "move forward at 0.8 m/s for 1 second", "wait for 100 seconds")
-DONE, LONG, TOO_FAST = 0, 2, 1
+SENTENCES = (
+    "wait for 0.5 seconds", "move forward at 0.8 m/s for 1 second", "wait for 100 seconds", "pick up",
+)  # fmt: skip
+DONE, TOO_FAST, LONG, ASKS = range(4)
 SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
 
 
@@ -108,11 +111,9 @@ def node(served, peer, tmp_path):
     sentences = tmp_path / "sentences.txt"
     sentences.write_text("\n".join(SENTENCES))
     process = peer(NODE, served, "--sentences", sentences)
-    try:
-        yield
-    finally:
-        process.terminate()
-        process.wait(20.0)
+    yield process
+    process.terminate()
+    assert process.wait(2.0 * ENDS_WITHIN_S) == 0
 
 
 @pytest.mark.parametrize(("number", "status", "code"), [(DONE, SUCCEEDED, 0), (TOO_FAST, ABORTED, 2)])
@@ -134,6 +135,32 @@ def test_a_cancel_of_the_action_cancels_the_task(served, peer, at_rest, tmp_path
     assert (ended["status"], ended["exit_code"]) == (CANCELED, 4)
 
 
+def test_a_question_of_a_task_is_answered_by_the_service(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path):
+        nothing_open = told(peer("answer.py", "the red cup", 0.0))
+        asking = peer("act.py", ASKS)
+        answered = told(peer("answer.py", "never mind", 60.0))
+        ended = told(asking)
+
+    assert nothing_open == {"asked": False, "told": "no question is open"}
+    assert answered == {"asked": True, "told": "answered"}
+    assert ended["status"] == ABORTED
+    assert ended["exit_code"] in (2, 3, 4)
+
+
+@pytest.mark.requirement("S7")
+def test_a_client_that_dies_beside_another_is_a_cancel(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path):
+        client = peer("act.py", LONG, "die", 12)
+        time.sleep(6.0)  # the goal has its client by now
+        other = peer("listen.py", 60)
+        client.wait(90.0)
+        at_rest(LEASE_S + 8.0)
+        assert other.poll() is None
+
+
 @pytest.mark.requirement("S7")
 def test_a_client_that_dies_is_a_cancel(served, peer, at_rest, tmp_path):
     at_rest()
@@ -142,3 +169,14 @@ def test_a_client_that_dies_is_a_cancel(served, peer, at_rest, tmp_path):
         client.wait(90.0)
         at_rest(LEASE_S + 8.0)  # a participant's lease of Fast DDS is 20 s
         assert told(peer("act.py", DONE))["exit_code"] == 0
+
+
+@pytest.mark.requirement("S7")
+def test_the_node_ends_within_its_time_and_its_tasks_with_it(served, peer, at_rest, tmp_path):
+    at_rest()
+    with node(served, peer, tmp_path) as process:
+        client = peer("act.py", LONG, "die", 3)
+        client.wait(90.0)
+        process.terminate()
+        assert process.wait(2.0 * ENDS_WITHIN_S) == 0
+    at_rest(LEASE_S)

@@ -1,5 +1,9 @@
 """One task for every skill."""
 
+import numpy as np
+
+from kinematics.formats.joint_motion import JointMotion
+from trees.given_motion import FollowTrajectoryTask
 from trees.registry import skills
 from trees.skills.about_people import TellTask
 from trees.skills.answer import AnswerTask
@@ -54,12 +58,15 @@ TASKS = {
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
 
+ELBOW = JointMotion(("arm_left_4_joint",), np.array([1.0]), np.array([[-1.2]]), np.zeros((1, 1)))
+
 # Where another tree does it when another thing, or several, are named, a task that names them.
 FURTHER = {
     PutInTask: (PutInTask("put the red cup into the fridge", RED_CUP, "fridge"),),
     FindTask: (FindTask("find all cups", ObjectDescription("cup"), count="all"),),
     AnswerTask: (AnswerTask("tell Ana the time", "time", "Ana"),),
     MoveTask: (MoveTask("follow the velocities", is_fed=True),),
+    WaitTask: (FollowTrajectoryTask("follow a trajectory", ELBOW),),  # it is no skill
 }
 
 

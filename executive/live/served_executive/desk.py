@@ -15,6 +15,7 @@ from executive.live.desk_messages import (
     Answer,
     Cancel,
     DeskMessage,
+    FollowTrajectory,
     GetScene,
     GetWorld,
     HandBack,
@@ -43,7 +44,7 @@ from robots.live.wire.messages import GetStatus, read_object, strictly, write_me
 from robots.live.wire.socket_server import SocketServer
 from trees.tasks import MoveTask
 
-Said = Say | Script | Velocity | TakeOver
+Said = Say | Script | Velocity | FollowTrajectory | TakeOver
 """What is begun as an order; a velocity is one while velocities follow it, and so is a person's jogging."""
 
 
@@ -51,6 +52,8 @@ def name_of(said: Said) -> str:
     """What an order is called to people."""
     if isinstance(said, Velocity):
         return "velocities"
+    if isinstance(said, FollowTrajectory):
+        return "follow a trajectory"
     if isinstance(said, TakeOver):
         return BY_HAND
     if isinstance(said, Script) or said.text:
@@ -58,7 +61,9 @@ def name_of(said: Said) -> str:
     return f"velocity {said.linear_m_s:g} m/s, {said.angular_rad_s:g} rad/s"
 
 
-def statements_of(said: Said, before: Conversation, trust: Trust) -> Iterator[Statement]:
+def statements_of(
+    said: Say | Script | Velocity | TakeOver, before: Conversation, trust: Trust
+) -> Iterator[Statement]:
     """Understand what was said, one statement after the other.
 
     Args:
@@ -286,7 +291,7 @@ class Desk:
                     self._attended.hear_jog(message)
             case HandBack(ending):
                 self._hand_back(ending, connection)
-            case Say():
+            case Say() | FollowTrajectory():
                 self._queue(Order(message, connection, self._listeners))
             case ScriptLine():
                 self._collect(message, connection)
@@ -351,7 +356,7 @@ class Desk:
             self._waiting.append(order)
 
     def _says_stop(self, said: Said) -> bool:
-        if isinstance(said, Velocity | TakeOver):
+        if isinstance(said, Velocity | FollowTrajectory | TakeOver):
             return False
         texts = [line.text for line in said.lines] if isinstance(said, Script) else [said.text]
         return all(self._is_stop(text) for text in texts)

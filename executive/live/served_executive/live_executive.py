@@ -10,7 +10,7 @@ import numpy as np
 
 from executive.config import config_files
 from executive.dialogue.settle_words import settled
-from executive.errors import NotWritableError
+from executive.errors import NotWritableError, TrajectoryFileError
 from executive.exit_codes import ExitCode
 from executive.front.front_model import FrontModel
 from executive.front.front_talk import FrontTalk
@@ -22,15 +22,16 @@ from executive.live.control_client.motion_client import GripperClient, MotionCli
 from executive.live.control_client.planning_client import LivePlanning, Worker
 from executive.live.control_client.walking_client import WalkingClient
 from executive.live.control_client.yielding_client import YieldingClient
-from executive.live.desk_messages import Jog, Script, TakeOver
+from executive.live.desk_messages import FollowTrajectory, Jog, Script, TakeOver
 from executive.live.jog_message import word_of
 from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
+from executive.live.served_executive.given_trajectory import load_joint_motion
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.told_as_json import scene_json, tree_json
 from executive.live.world_as_json import world_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
-from executive.meaning import Command, Parsed, StopCommand
+from executive.meaning import Command, Parsed, Refusal, StopCommand
 from executive.robot_settings import robot_settings
 from executive.runs.run_account import RunAccount, RunSubject
 from executive.runs.run_log import RunLog
@@ -39,6 +40,7 @@ from executive.scripts.script_run import Said, failed_command, run_statements, s
 from executive.session.controlled_robot import ControlledRobot, session_on
 from executive.session.driver import driven
 from executive.session.events import Event
+from executive.session.task_result import TaskResult
 from executive.trust import USUAL_TRUST, Trust
 from executive.understanding.canonical_detector import CanonicalDetector
 from executive.understanding.canonical_words import canonical_kind
@@ -58,6 +60,7 @@ from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.failures import Failure
+from trees.given_motion import FollowTrajectoryTask
 from trees.readings.odometry import what_is_around
 from trees.self_knowledge import Calendar
 from trees.toolbox import VelocityFeed
@@ -261,6 +264,8 @@ class LiveExecutive:
         session = self._session
         if isinstance(said, TakeOver):
             return self._by_hand()
+        if isinstance(said, FollowTrajectory):
+            return self._follow(said)
         attendant = LiveAttendant(self._desk, session.hold, lambda: session.interrupted)
 
         def waiting() -> bool:
@@ -302,6 +307,18 @@ class LiveExecutive:
         command, self._failed = self._failed or ByHandTask(BY_HAND), None
         result = driven(self._session.task_steps(command, by_hand=True))
         return [(Statement(Parsed(command.text, (command,))), [result])]
+
+    def _follow(self, said: FollowTrajectory) -> list[Said]:
+        """Move as a program has planned, where the checker agrees."""
+        name = name_of(said)
+        try:
+            task = FollowTrajectoryTask(name, load_joint_motion(Path(said.path)))
+        except TrajectoryFileError as wrong:
+            refused = TaskResult(name, FollowTrajectoryTask.action, "refused")
+            return [(Statement(Parsed(name, refusal=Refusal(str(wrong)))), [refused])]
+        self._steps.busy = True
+        result = driven(self._session.task_steps(task))
+        return [(Statement(Parsed(name, (task,))), [result])]
 
     def _now_s(self) -> float:
         return self._link.now_s

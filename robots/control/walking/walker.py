@@ -148,6 +148,11 @@ class Walker:
         return self._walk is not None and self._handle is not None
 
     @property
+    def ending(self) -> bool:
+        """Whether a walk that is under way was told to end: what it commands brakes from then on."""
+        return self._walk is not None and (self._finishing or self._interrupted or self._handle is None)
+
+    @property
     def held_back(self) -> Refusal | None:
         """What the body of a walk that is under way has met, beside the floor."""
         return self._walk.held_back if self._walk is not None and self._handle is not None else None

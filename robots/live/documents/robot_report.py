@@ -28,6 +28,7 @@ class RobotReport(Sealed):
         reference: Commanded configuration, shape (nq,).
         stance: Where the feet stand.
         grippers: What they feel.
+        ending: Whether a walk under way was told to end: what is commanded brakes, step by step.
     """
 
     t_s: float
@@ -37,6 +38,7 @@ class RobotReport(Sealed):
     reference: Array
     stance: Stance
     grippers: dict[Hand, GripperReading]
+    ending: bool = False
 
 
 class ReportLayout:
@@ -65,7 +67,7 @@ class ReportLayout:
         readings, poses = report.sensed.readings, dict(report.stance.soles)
         if tuple(poses) != self._soles:
             raise ProtocolError(f"the report stands on {tuple(poses)}, the robot on {self._soles}")
-        head = np.array([report.t_s, float(report.resting), float(report.walking)])
+        head = np.array([report.t_s, float(report.resting), float(report.walking + report.ending)])
         parts = [head, readings.q, readings.v, readings.effort]
         parts += [readings.gyro, readings.accelerometer, readings.foot_wrench.ravel()]
         parts += [report.sensed.q, report.reference, *(poses[frame].ravel() for frame in self._soles)]
@@ -99,4 +101,5 @@ class ReportLayout:
             reference=reference,
             stance=Stance(tuple(zip(self._soles, poses, strict=True))),
             grippers=grippers,
+            ending=bool(head[2] > 1.0),
         )

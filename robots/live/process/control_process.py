@@ -229,6 +229,7 @@ class ControlProcess:
             reference=motion.reference(),
             stance=motion.stance(),
             grippers={hand: gripper.reading() for hand, gripper in self._loop.grippers.items()},
+            ending=self._loop.walking.ending,
         )
         self._slot.write(self._layout.row(report))
 

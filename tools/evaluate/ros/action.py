@@ -75,7 +75,7 @@ class ActionRecord:
 
 
 def run_ros_action(options: argparse.Namespace, messages: Console) -> int:
-    """Run the suite with the first distribution that is installed; 0 when everything was as it has to be."""
+    """Run the suite with the newest distribution that is installed; 0 when everything was as it has to be."""
     environments = [PeerEnvironment(name, default_cache()) for name in ROS_NAMES]
     ready = [one for one in environments if one.is_ready]
     if not ready:
@@ -89,7 +89,7 @@ def run_ros_action(options: argparse.Namespace, messages: Console) -> int:
         BridgedRobot(Path(folder), options.seed, options.robot, options.pace) as robot,
     ):
         robot.wait_until_ready()
-        with _node(robot, Path(folder), ready[0]) as surroundings:
+        with _node(robot, Path(folder), ready[-1]) as surroundings:
             for i in range(options.episodes):
                 rng = np.random.default_rng(options.seed + i)
                 ending = _ENDINGS[i % len(_ENDINGS)]
@@ -103,7 +103,7 @@ def run_ros_action(options: argparse.Namespace, messages: Console) -> int:
         fallen = robot.fallen()
     document = {
         "suite": "ros_action",
-        "peer": ready[0].version,
+        "peer": ready[-1].version,
         "episodes": len(records),
         "seed": options.seed,
         "success_rate": sum(record.good for record in records) / len(records),

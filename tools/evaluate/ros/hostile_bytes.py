@@ -36,6 +36,8 @@ _TEXTS = (
     "a\r\nb\tc\x07",
     "x" * 70_000,
 )
+_SLOW = 1.0
+"""No limit of a robot is above this, in m/s and rad/s."""
 _PLAIN = b"\x00\x01\x00\x00"
 """Head of a sample: plain CDR, little endian."""
 
@@ -46,10 +48,26 @@ def hostile(kind: type[IdlStruct], rng: np.random.Generator) -> IdlStruct:
     if rng.random() < 0.5:
         return sample
     data = _broken(sample.serialize(), rng)
+    while is_velocity(kind, data):  # broken by chance into what this robot is there for
+        data = _broken(sample.serialize(), rng)
     raw: Any = kind()
     raw.serialize = lambda **_options: data
     made: IdlStruct = raw
     return made
+
+
+def is_velocity(kind: type[IdlStruct], data: bytes) -> bool:
+    """Whether bytes are a velocity as a well-meaning peer may send it: slow, ahead or back, or a turn."""
+    if kind not in (Twist, TwistStamped):
+        return False
+    try:
+        read: Any = kind.deserialize(data)
+    except Exception:  # whatever reading broken bytes comes to
+        return False
+    twist = read.twist if kind is TwistStamped else read
+    walk = (twist.linear.x, twist.angular.z)
+    others = (twist.linear.y, twist.linear.z, twist.angular.x, twist.angular.y)
+    return not any(others) and all(abs(one) <= _SLOW for one in walk)
 
 
 def _broken(whole: bytes, rng: np.random.Generator) -> bytes:

@@ -5,7 +5,7 @@ import pytest
 from executive.doors.ros.node.client_watch import GRACE_S, LEASE_S, ClientWatch
 
 pytestmark = pytest.mark.requirement("S7")
-A, B = b"a", b"b"
+A, B = b"a", b"b"  # each is its participant's id as well
 STEP_S = 0.1
 
 
@@ -13,12 +13,17 @@ class Listeners:
     """Listeners of the feedback: some in the graph, some of them dead; time goes on by steps."""
 
     def __init__(self, *there):
-        self.there, self.dead, self.silent = set(there), set(), set()
+        self.there, self.dead, self.silent, self.ended = set(there), set(), set(), set()
         self.now_s, self.sent = 100.0, 0
 
     def goal(self):
         return ClientWatch(
-            lambda: frozenset(self.there), self._ask, lambda: not self.dead, self.silent, self.now_s
+            lambda: frozenset(self.there),
+            self._ask,
+            lambda: not self.dead & self.there,
+            self.silent,
+            self.now_s,
+            lambda one: one in self.ended,
         )
 
     def _ask(self):
@@ -97,6 +102,51 @@ def test_a_killed_client_beside_another_is_gone_when_the_graph_says_so():
     assert clients.gone_after(watch, 20.0) is None
 
     clients.there, clients.dead = {B}, set()
+
+    assert clients.gone_after(watch, 60.0) == 0.0
+
+
+def test_a_killed_client_beside_another_is_gone_after_the_lease_where_its_process_has_ended():
+    clients = Listeners(A)
+    watch = clients.goal()
+    clients.there = {A, B}
+    assert clients.gone_after(watch, 20.0) is None
+
+    clients.dead = clients.ended = {A}
+
+    assert clients.gone_after(watch, 60.0) <= LEASE_S + 0.5 + 2 * STEP_S
+
+
+def test_an_ended_process_is_none_while_everything_is_acknowledged():
+    clients = Listeners(A, B)
+    watch = clients.goal()
+
+    clients.ended = {A, B}  # numbers of processes, misread
+
+    assert clients.gone_after(watch, 60.0) is None
+
+
+@pytest.mark.parametrize(("dies", "gone"), [(A, True), (B, False)])
+def test_of_two_listeners_it_is_the_sender_whose_death_counts(dies, gone):
+    clients = Listeners(A, B)
+    watch = clients.goal()
+    watch.sent_by(A)
+    assert clients.gone_after(watch, 20.0) is None
+
+    clients.dead = clients.ended = {dies}
+
+    assert (clients.gone_after(watch, 19.0) is not None) is gone
+
+
+def test_the_sender_that_the_graph_finds_late_is_the_client():
+    clients = Listeners(B)
+    watch = clients.goal()
+    watch.sent_by(A)
+    assert clients.gone_after(watch, GRACE_S - 1.0) is None
+
+    clients.there = {A, B}
+    assert clients.gone_after(watch, 20.0) is None
+    clients.there = {B}
 
     assert clients.gone_after(watch, 60.0) == 0.0
 

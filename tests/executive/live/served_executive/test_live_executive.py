@@ -1,13 +1,14 @@
 """One attachment: orders are carried out, and their reports tell what became of each."""
 
 import json
+from concurrent.futures import Future
 from types import SimpleNamespace
 
 import pytest
 
 from executive.live.control_client.control_link import ControlLostError
-from executive.live.control_client.planning_service import Planned
-from executive.live.desk_messages import Say, Script, ScriptLine
+from executive.live.control_client.planning_service import Planned, PlanningService
+from executive.live.desk_messages import FollowTrajectory, Say, Script, ScriptLine
 from executive.live.served_executive import live_attendant
 from executive.live.served_executive.desk import Order
 from executive.live.served_executive.live_executive import LiveExecutive
@@ -15,6 +16,7 @@ from executive.trust import Trust
 from kinematics.requests.check import CheckRequest
 from kinematics.scene.planning_scene import PlanningScene
 from robots.control.events import SetpointRefused, StopStarted
+from robots.live.process.admission_process import Admission
 from robots.live.wire.messages import read_object
 from tests.executive.live.conftest import Worker, go_on_while_waited_for
 from tests.executive.session import test_session
@@ -253,3 +255,66 @@ def test_a_lost_control_process_is_told_to_who_gave_the_order(serving):
     assert "the control process ended" in somebody.told[-1]["text"]
     (report,) = serving.record.glob("*/report.json")
     assert json.loads(report.read_text())["outcome"] == "failed"
+
+
+class AnsweredHere:
+    """A process that answers, only that it is this one."""
+
+    def __init__(self, answer):
+        self.answer = answer
+
+    def ask(self, question):
+        future = Future()
+        future.set_result(self.answer(question))
+        return future
+
+
+@pytest.fixture
+def judging(serving):
+    """Both sides have a checker."""
+    serving.live._planning._worker = AnsweredHere(PlanningService("talos").answer)
+    serving.far.checker.ask = AnsweredHere(Admission("talos").judge).ask
+    return serving
+
+
+def handed_in(tmp_path, talos, *points, joint="arm_left_4_joint"):
+    path = tmp_path / "motion.json"
+    here = float(talos.q_home[7 + talos.joint_index("arm_left_4_joint")])
+    told = [{"t_s": t_s, "positions": [here + away]} for t_s, away in points]
+    path.write_text(json.dumps({"joints": [joint], "points": told}))
+    return FollowTrajectory(str(path))
+
+
+@pytest.mark.requirement("S6")
+def test_a_trajectory_that_the_checker_admits_is_carried_out(judging, talos, tmp_path):
+    report = judging.carry_out(handed_in(tmp_path, talos, (2.0, -0.1)))
+
+    assert report["outcome"] == "done", report["message"]
+    assert report["safety"]["checked_trajectories"] == 1
+    reached = judging.far.loop.motion.reference() - talos.q_home
+    assert reached[7 + talos.joint_index("arm_left_4_joint")] == pytest.approx(-0.1, abs=1e-6)
+
+
+@pytest.mark.requirement("S6")
+def test_a_trajectory_that_is_too_fast_is_refused_with_the_finding(judging, talos, tmp_path):
+    report = judging.carry_out(handed_in(tmp_path, talos, (0.01, -0.5)))
+
+    assert (report["outcome"], report["exit_code"]) == ("failed", 5)
+    assert report["tasks"][0]["failure"]["kind"] == "UNSAFE"
+    assert "arm_left_4_joint" in report["message"]
+    assert judging.far.loop.motion.reference() == pytest.approx(talos.q_home)
+
+
+@pytest.mark.parametrize("joint", ["arm_left_9_joint", ""])
+def test_a_trajectory_of_no_such_joint_moves_nothing(judging, talos, tmp_path, joint):
+    report = judging.carry_out(handed_in(tmp_path, talos, (2.0, -0.1), joint=joint))
+
+    assert report["outcome"] in ("failed", "refused")
+    assert report["safety"]["checked_trajectories"] == 0
+
+
+def test_a_trajectory_that_cannot_be_read_is_refused_with_its_file(judging, tmp_path):
+    report = judging.carry_out(FollowTrajectory(str(tmp_path / "nothing.json")))
+
+    assert (report["outcome"], report["exit_code"]) == ("refused", 2)
+    assert "nothing.json: is no file" in report["message"]

@@ -195,6 +195,26 @@ def test_a_walk_that_stands_in_a_pause_ends_with_a_stop():
     assert not floor.loop.walking.active
 
 
+@pytest.mark.parametrize("how", ["finish", "cancel", "pause"])
+def test_a_walk_tells_that_it_ends_from_the_order_until_it_stands(how):
+    floor = Floor()
+    handle = floor.walk(0.3)
+    floor.run(1.5)
+    assert not floor.loop.walking.ending
+
+    match how:
+        case "finish":
+            floor.loop.walking.finish(handle)
+        case "cancel":
+            floor.loop.walking.cancel(handle, "by the test")
+        case "pause":
+            floor.loop.walking.pause()
+
+    assert floor.loop.walking.ending
+    floor.until_it_stands()
+    assert not floor.loop.walking.ending
+
+
 @pytest.mark.parametrize("order", ["finish first", "in its last steps", "standing"])
 def test_a_paused_walk_that_is_to_end_ends_where_it_stands(order):
     floor = Floor()

@@ -1,5 +1,6 @@
 """The slot holds what is newest, whole, however slowly anybody reads."""
 
+import dataclasses
 import stat
 
 import numpy as np
@@ -74,6 +75,8 @@ def test_a_report_comes_back_bit_by_bit(live, talos):
     read = layout.report(layout.row(sent))
 
     assert read.walking
+    assert not read.ending
+    assert layout.report(layout.row(dataclasses.replace(sent, ending=True))).ending
     assert (read.t_s, read.resting, read.grippers) == (sent.t_s, sent.resting, sent.grippers)
     np.testing.assert_array_equal(read.sensed.q, sent.sensed.q)
     np.testing.assert_array_equal(read.reference, sent.reference)
