@@ -73,6 +73,7 @@ class PerceptionStub:
 
     Attributes:
         faults: Further errors, to be injected by tests and evaluations.
+        cameras: Others, which stand in the room; they go on with this one.
     """
 
     def __init__(
@@ -84,6 +85,7 @@ class PerceptionStub:
         rng: np.random.Generator,
     ) -> None:
         self.faults = StubFaults()
+        self.cameras: tuple[PerceptionStub, ...] = ()
         self._truth = truth
         self._camera = camera
         self._model = model
@@ -121,6 +123,8 @@ class PerceptionStub:
             self._due_s = self._start_s + self._pictures / self._model.rate_hz
         while self._pending and now_s >= self._pending[0].stamp_s + self._model.latency_s:
             self._latest = self._pending.popleft()
+        for other in self.cameras:
+            other.tick()
 
     def set_error(
         self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True

@@ -15,6 +15,7 @@ from typing import Literal
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
 from robots.scenes.scene_words import ANY_LABEL, COLORS
@@ -222,6 +223,7 @@ class SceneDescription:
     people: tuple[Person, ...] = ()
     places: tuple[Region, ...] = ()
     light: Light = field(default_factory=Light)
+    cameras: tuple[FixedCamera, ...] = ()
 
 
 def told_names(name: str, kind: str, names: Iterable[str]) -> tuple[str, ...]:

@@ -77,14 +77,16 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
 def _error_json(error: PositionError | None) -> list[Any] | None:
     if error is None:
         return None
-    return [error.lasting_m2.ravel().tolist(), error.noise_m2.ravel().tolist(), error.size_share]
+    squares = (error.lasting_m2, error.noise_m2, error.shared_m2)
+    lasting, noise, shared = (square.ravel().tolist() for square in squares)
+    return [lasting, noise, error.size_share, shared]
 
 
 def _error(values: Any) -> PositionError | None:
     if values is None:
         return None
-    lasting, noise, size_share = values
-    return PositionError(_square(lasting), _square(noise), float(size_share))
+    lasting, noise, size_share, shared = values
+    return PositionError(_square(lasting), _square(noise), float(size_share), _square(shared))
 
 
 def _square(numbers: Any) -> Array:

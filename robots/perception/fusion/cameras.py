@@ -8,16 +8,24 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from kinematics.arrays import Sealed
+from kinematics.arrays import Array, Sealed
+from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from robots.perception.detector import Detector
 from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
-from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.object_estimate import ObjectEstimate, could_hold
 from robots.perception.position_error import PositionError
+from robots.scenes.fixed_camera import HEAD_CAMERA
+from robots.scenes.scene_description import SceneDescription
 
-HEAD = "head camera"
+HEAD = HEAD_CAMERA
 _SAME_M = {"object": 0.06, "furniture": 0.12, "person": 0.3}
 """What two cameras show of one kind nearer to each other than this is one thing."""
+_ONE_PLACE_M = 0.03
+"""And so is what they show of two kinds, or colours: no two things have their middles so near to each other,
+unless one of them holds the other."""
+_WELL_WITHIN = 0.8
+"""Of half the field of view: what is nearer to a picture's edge may be cut."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +37,33 @@ class PlacedCamera(Sealed):
         detector: Its frames; poses in them are relative to it.
         odom_T_camera: Where it is, from its calibration, shape (4, 4); what that is wrong by is part of the
             error that the detector declares.
+        field_of_view_rad: Across and down.
+        range_m: Nearest and farthest that it shows.
     """
 
     name: str
     detector: Detector
     odom_T_camera: Transform
+    field_of_view_rad: tuple[float, float] = (1.1, 0.85)
+    range_m: tuple[float, float] = (0.3, 8.0)
+
+    def should_show(self, place_m: Array) -> bool:
+        """Whether a place, shape (3,), is well within its pictures."""
+        x, y, z = (self.odom_T_camera[:3, :3].T @ (place_m - self.odom_T_camera[:3, 3])).tolist()
+        across, down = self.field_of_view_rad
+        within = abs(math.atan2(x, z)) <= 0.5 * _WELL_WITHIN * across
+        within &= abs(math.atan2(y, z)) <= 0.5 * _WELL_WITHIN * down
+        return within and self.range_m[0] <= z <= self.range_m[1]
+
+
+def calibrated_places(scene: SceneDescription) -> tuple[Transform, ...]:
+    """``odom_T_camera`` of each camera that stands in a scene, shape (4, 4), as its calibration has it.
+
+    The odometry frame is where the robot stands at first: that is where it was calibrated to them.
+    """
+    start = scene.robot_start
+    world_T_odom = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
+    return tuple(poses.inverse(world_T_odom) @ camera.world_T_camera for camera in scene.cameras)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +85,8 @@ def seen_by_all(by_camera: Mapping[str, Sequence[ObjectEstimate]]) -> Seen:
     """Fuse what several cameras show.
 
     Where two cameras agree on a place, both count by their declared errors; where they do not, the camera
-    that comes first does. Of a detector that declares no error the first camera's word counts.
+    that comes first does. Of a detector that declares no error the first camera's word counts. What one of
+    them takes for another kind or colour is what the surer one takes it for.
 
     Args:
         by_camera: What each shows, in the odometry frame; the one that is trusted most first.
@@ -63,36 +94,49 @@ def seen_by_all(by_camera: Mapping[str, Sequence[ObjectEstimate]]) -> Seen:
     merged: list[ObjectEstimate] = []
     differing: list[tuple[ObjectEstimate, Innovation]] = []
     for name, estimates in by_camera.items():
-        before = len(merged)
-        taken: set[int] = set()
-        for estimate in estimates:
-            k = _same(estimate, merged[:before], taken)
-            if k is None:
+        pairs = _pairs(merged, estimates)
+        for k, estimate in enumerate(estimates):
+            if k not in pairs:
                 merged.append(estimate)
                 continue
-            taken.add(k)
-            innovation, both = _fused(merged[k], estimate, name)
+            i = pairs[k]
+            innovation, both = _fused(merged[i], estimate, name)
             if innovation is not None and innovation.disagrees:
-                differing.append((merged[k], innovation))
+                differing.append((merged[i], innovation))
             else:
-                merged[k] = both
+                merged[i] = both
     shows = {name: bool(estimates) for name, estimates in by_camera.items()}
     blind = tuple(name for name, some in shows.items() if not some) if any(shows.values()) else ()
     return Seen(tuple(merged), tuple(differing), blind)
 
 
-def _same(estimate: ObjectEstimate, others: Sequence[ObjectEstimate], taken: set[int]) -> int | None:
-    """Which of the others is the same thing; the nearest, or None."""
-    near = [
-        (math.dist(other.odom_T_object[:3, 3], estimate.odom_T_object[:3, 3]), k)
-        for k, other in enumerate(others)
-        if k not in taken
-        and (other.category, other.kind, other.name) == (estimate.category, estimate.kind, estimate.name)
-        and type(other.shape) is type(estimate.shape)
-        and (None in (other.color, estimate.color) or other.color == estimate.color)
-    ]
-    distance_m, k = min(near, default=(math.inf, -1))
-    return k if distance_m < _SAME_M[estimate.category] else None
+def _pairs(known: Sequence[ObjectEstimate], seen: Sequence[ObjectEstimate]) -> dict[int, int]:
+    """Which of the known things each seen one is, by their indices; the nearest pairs first, each once."""
+    near = sorted(
+        (math.dist(one.odom_T_object[:3, 3], other.odom_T_object[:3, 3]), k, i)
+        for k, one in enumerate(seen)
+        for i, other in enumerate(known)
+        if _may_be_one(one, other)
+    )
+    pairs: dict[int, int] = {}
+    for _, k, i in near:
+        if k not in pairs and i not in pairs.values():
+            pairs[k] = i
+    return pairs
+
+
+def _may_be_one(one: ObjectEstimate, other: ObjectEstimate) -> bool:
+    if one.category != other.category:
+        return False
+    apart_m = math.dist(one.odom_T_object[:3, 3], other.odom_T_object[:3, 3])
+    alike = (
+        (one.kind, one.name) == (other.kind, other.name)
+        and type(one.shape) is type(other.shape)
+        and (None in (one.color, other.color) or one.color == other.color)
+    )
+    if alike:
+        return apart_m < _SAME_M[one.category]
+    return one.category == "object" and apart_m < _ONE_PLACE_M and not could_hold(one.shape, other.shape)
 
 
 def _fused(
@@ -103,16 +147,27 @@ def _fused(
     start = Gaussian(first.odom_T_object[:3, 3], first.error.covariance_m2)
     measured = Measurement(source, 0.0, second.odom_T_object[:3, 3], second.error.covariance_m2, np.eye(3))
     both = start.updated(measured)
-    pose = first.odom_T_object.copy()
+    # each camera's calibration comes in by its share
+    of_second = np.linalg.solve(start.covariance + measured.covariance, start.covariance).T
+    of_first = np.eye(3) - of_second
+    shared = of_first @ first.error.shared_m2 @ of_first.T + of_second @ second.error.shared_m2 @ of_second.T
+    # sizes, and where the edges are, are those of who measures them better
+    measures = second if second.error.size_share < first.error.size_share else first
+    words = second if second.confidence > first.confidence and not _same_words(first, second) else first
+    pose = measures.odom_T_object.copy()
     pose[:3, 3] = both.mean
-    size_share = min(first.error.size_share, second.error.size_share)
     # what is left does not average away over more frames
-    error = PositionError(both.covariance, np.zeros((3, 3)), size_share)
+    error = PositionError(both.covariance, np.zeros((3, 3)), measures.error.size_share, shared)
     return start.innovation(measured), replace(
-        first,
+        words,
         odom_T_object=pose,
+        shape=measures.shape,
         error=error,
-        color=first.color or second.color,
+        color=words.color or first.color or second.color,
         frames_seen=first.frames_seen + second.frames_seen,
         confidence=max(first.confidence, second.confidence),
     )
+
+
+def _same_words(one: ObjectEstimate, other: ObjectEstimate) -> bool:
+    return (one.kind, one.color, one.names) == (other.kind, other.color, other.names)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import support_of
-from robots.perception.fusion.cameras import HEAD, Seen
+from robots.perception.fusion.cameras import HEAD, PlacedCamera, Seen
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import seen_to_float, standing_on_tops
 from trees.beliefs.openings.moved_parts import without_moved_parts
@@ -98,7 +98,7 @@ def folded_look(
     """
     world, policy = toolbox.world, toolbox.policy
     seen = seen_in(views)
-    _tell_what_cameras_say(toolbox, seen)
+    _tell_what_cameras_say(toolbox, seen, {view.source: view for view in views})
     told = not_in_hand(toolbox, seen.estimates)
     _tell_what_floats(toolbox, told)
     estimates = standing_on_tops(told)
@@ -122,15 +122,34 @@ def folded_look(
     return update
 
 
-def _tell_what_cameras_say(toolbox: Toolbox, seen: Seen) -> None:
-    """Say where cameras contradict each other; the robot's own then counts, which goes where its hands go."""
+def _tell_what_cameras_say(toolbox: Toolbox, seen: Seen, newest: Mapping[str, View]) -> None:
+    """Say where cameras contradict each other; the robot's own then counts, which goes where its hands go.
+
+    A camera that shows nothing is blind where it should show what another one does.
+    """
     for thing, innovation in seen.differing:
         message = f"the {innovation.source} shows the {words_for(thing)} elsewhere than my own camera"
         failure = Failure.postcondition(message, apart_m=innovation.size, usual_m=innovation.sigma)
         tell_disagreement(toolbox, failure.because(Reason.CAMERAS_DIFFER))
     for name in seen.blind:
+        if not _should_show(toolbox, newest[name], seen.estimates):
+            continue
         failure = Failure.postcondition(f"the {name} shows nothing of what another camera shows")
         tell_disagreement(toolbox, failure.because(Reason.CAMERA_BLIND))
+
+
+def _should_show(toolbox: Toolbox, view: View, shown: Iterable[ObjectEstimate]) -> bool:
+    """Whether something is well within a camera's pictures, by where the others show it."""
+    own = toolbox.model.description.camera
+    placed = next((camera for camera in toolbox.cameras if camera.name == view.source), None)
+    camera = placed or PlacedCamera(
+        HEAD,
+        toolbox.detector,
+        view.odom_T_camera,
+        (own.horizontal_fov_rad, own.vertical_fov_rad),
+        own.range_m,
+    )
+    return any(camera.should_show(one.odom_T_object[:3, 3]) for one in shown)
 
 
 def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> None:

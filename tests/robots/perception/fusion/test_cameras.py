@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Cylinder
-from robots.perception.fusion.cameras import seen_by_all
+from kinematics.geometry.shapes import Ball, Box, Cylinder
+from robots.perception.fusion.cameras import PlacedCamera, seen_by_all
 from robots.perception.object_estimate import ObjectEstimate
-from robots.perception.position_error import alike_in_all_directions
+from robots.perception.position_error import PositionError, alike_in_all_directions
 
 
 def cup(place_m, sigma_m=0.005, color="red", error=True):
@@ -68,9 +68,64 @@ def test_what_one_camera_alone_sees_is_there():
 
 
 def test_things_of_other_colours_are_other_things():
-    seen = seen_by_all({"a": [cup((0, 0, 0))], "b": [cup((0.01, 0, 0), color="blue")]})
+    seen = seen_by_all({"a": [cup((0, 0, 0))], "b": [cup((0.06, 0, 0), color="blue")]})
 
     assert [one.color for one in seen.estimates] == ["red", "blue"]
+
+
+@pytest.mark.requirement("P3")
+def test_what_two_cameras_take_for_two_colours_is_one_thing_of_the_surer_ones():
+    white, grey = cup((0, 0, 0), color="white"), cup((0.01, 0, 0), color="grey")
+    seen = seen_by_all({"a": [replace(grey, confidence=0.5)], "b": [white]})
+
+    assert [one.color for one in seen.estimates] == ["white"]
+
+
+@pytest.mark.requirement("P3")
+def test_what_two_cameras_take_for_two_kinds_is_one_thing_with_the_better_measured_shape():
+    box = replace(
+        cup((0.01, 0, 0)), kind="box", shape=Box((0.06, 0.06, 0.1)),
+        error=alike_in_all_directions(0.005, 0.0, 0.2), confidence=0.4,
+    )  # fmt: skip
+    (fused,) = seen_by_all({"a": [box], "b": [cup((0, 0, 0))]}).estimates
+
+    assert (fused.kind, fused.shape) == ("cup", Cylinder(0.03, 0.1))
+
+
+def test_a_ball_in_a_bowl_is_not_the_bowl():
+    bowl = replace(cup((0, 0, 0)), kind="bowl", shape=Cylinder(0.09, 0.05))
+    seen = seen_by_all({"a": [bowl], "b": [replace(cup((0, 0, 0)), kind="ball", shape=Ball(0.03))]})
+
+    assert len(seen.estimates) == 2
+
+
+def test_twins_beside_each_other_stay_two():
+    """Each is the one that it is nearest to, though one camera is off by a quarter of their distance."""
+    a, b = cup((0, 0, 0)), cup((0.04, 0, 0))
+    seen = seen_by_all({"a": [a, b], "b": [cup((0.05, 0, 0)), cup((0.01, 0, 0))]})
+
+    assert len(seen.estimates) == 2
+    assert seen.differing == ()
+
+
+@pytest.mark.requirement("P3")
+def test_what_a_camera_has_in_common_stays_common_by_its_share():
+    """Of two cameras alike, a quarter of each one's variance: the mean of the two."""
+    common = np.diag([4e-6, 4e-6, 1e-6])
+    error = PositionError(common + 1e-6 * np.eye(3), np.zeros((3, 3)), 0.01, common)
+    one = replace(cup((0, 0, 0)), error=error)
+    (fused,) = seen_by_all({"a": [one], "b": [one]}).estimates
+
+    assert fused.error.shared_m2 == pytest.approx(0.5 * common)
+    assert fused.error.covariance_m2 == pytest.approx(0.5 * error.covariance_m2)
+
+
+def test_a_camera_should_show_what_is_well_within_its_pictures():
+    camera = PlacedCamera("ceiling camera", None, poses.transform(poses.rotation_x(np.pi), (0, 0, 2.0)))
+
+    assert camera.should_show(np.array([0.1, 0.1, 0.8]))
+    assert not camera.should_show(np.array([2.0, 0.0, 0.8]))
+    assert not camera.should_show(np.array([0.0, 0.0, 1.9]))
 
 
 def test_without_declared_errors_the_first_camera_counts():
