@@ -12,11 +12,12 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.messages import write_message
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.fusion.cameras import HEAD
 from robots.perception.position_error import PositionError
 
 
-def write_frame(frame: PerceptionFrame) -> bytes:
-    """The payload of a frame."""
+def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
+    """The payload of a frame, with the camera that it is from."""
     seen = [
         {
             "category": item.category,
@@ -35,7 +36,12 @@ def write_frame(frame: PerceptionFrame) -> bytes:
         for item in frame.detections
     ]
     return write_message(
-        "frame", stamp_s=frame.stamp_s, sequence=frame.sequence, detections=seen, trouble=frame.trouble
+        "frame",
+        source=source,
+        stamp_s=frame.stamp_s,
+        sequence=frame.sequence,
+        detections=seen,
+        trouble=frame.trouble,
     )
 
 
