@@ -60,6 +60,16 @@ class PositionError(Sealed):
 
 
 @lru_cache(maxsize=64)
-def alike_in_all_directions(lasting_m: float, noise_m: float, size_share: float) -> PositionError:
-    """An error with the same standard deviations along every axis, m; each thing has its own."""
-    return PositionError(lasting_m**2 * np.eye(3), noise_m**2 * np.eye(3), size_share)
+def alike_in_all_directions(
+    lasting_m: float, noise_m: float, size_share: float, shared_m: float = 0.0
+) -> PositionError:
+    """An error with the same standard deviations along every axis, m.
+
+    Args:
+        lasting_m: Of what stays from frame to frame and is each thing's own.
+        noise_m: Of what is drawn anew in each frame.
+        size_share: Of sizes, as a share of them.
+        shared_m: Of what stays and all things have in common.
+    """
+    shared = shared_m**2 * np.eye(3)
+    return PositionError(lasting_m**2 * np.eye(3) + shared, noise_m**2 * np.eye(3), size_share, shared)

@@ -44,6 +44,7 @@ class PerceptionModel:
     Attributes:
         kind: "stub", or "rgbd" for what the robot's own camera shows; its errors are the robot's data.
         bias_m: Standard deviation, each axis, of an error drawn once for each solid and episode.
+        calibration_m: The same of an error that all things of one camera share, drawn once an episode.
         noise_m: The same, drawn anew for each frame.
         orientation_noise_rad: Of the rotation vector, each axis, each frame.
         size_noise: Relative standard deviation of estimated sizes, drawn once an episode.
@@ -72,6 +73,7 @@ class PerceptionModel:
     min_visible: float = 0.25
     labels: tuple[str, ...] = ()
     trait_dropout: float = 0.1
+    calibration_m: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -153,6 +153,7 @@ def _check_perception(model: PerceptionModel, source: str) -> None:
     for key in (
         "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",
         "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible", "trait_dropout",
+        "calibration_m",
     ):  # fmt: skip
         value = getattr(model, key)
         _require(

@@ -11,6 +11,7 @@ import numpy as np
 from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Box, Cylinder
 from robots.perception.detector import Detector
 from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
 from robots.perception.object_estimate import ObjectEstimate, could_hold
@@ -24,6 +25,8 @@ _SAME_M = {"object": 0.06, "furniture": 0.12, "person": 0.3}
 _ONE_PLACE_M = 0.03
 """And so is what they show of two kinds, or colours: no two things have their middles so near to each other,
 unless one of them holds the other."""
+_LEVEL_M = 0.01
+"""What two cameras show to begin, and to end, within this of each other is as high."""
 _WELL_WITHIN = 0.8
 """Of half the field of view: what is nearer to a picture's edge may be cut."""
 
@@ -136,7 +139,23 @@ def _may_be_one(one: ObjectEstimate, other: ObjectEstimate) -> bool:
     )
     if alike:
         return apart_m < _SAME_M[one.category]
-    return one.category == "object" and apart_m < _ONE_PLACE_M and not could_hold(one.shape, other.shape)
+    if one.category != "object" or apart_m >= _ONE_PLACE_M:
+        return False
+    return _as_high(one, other) or not could_hold(one.shape, other.shape)
+
+
+def _as_high(one: ObjectEstimate, other: ObjectEstimate) -> bool:
+    """Whether two things begin and end at one height; what is in another stands on its bottom."""
+    halves = [
+        (float(each.odom_T_object[2, 3]), 0.5 * each.shape.height_m)
+        for each in (one, other)
+        if isinstance(each.shape, Box | Cylinder)
+    ]
+    if len(halves) < 2:
+        return False
+    (z, half), (other_z, other_half) = halves
+    apart_m = abs(z - half - other_z + other_half), abs(z + half - other_z - other_half)
+    return max(apart_m) < _LEVEL_M
 
 
 def _fused(

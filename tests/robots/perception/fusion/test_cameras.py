@@ -109,6 +109,16 @@ def test_twins_beside_each_other_stay_two():
 
 
 @pytest.mark.requirement("P3")
+def test_a_slim_box_as_high_as_a_bottle_at_its_place_is_the_bottle():
+    """From one side alone little of a round thing is seen."""
+    bottle = replace(cup((0, 0, 0)), kind="bottle", shape=Cylinder(0.0275, 0.212))
+    sliver = replace(cup((0.012, 0, 0)), kind="box", shape=Box((0.023, 0.031, 0.211)), confidence=0.7)
+    (fused,) = seen_by_all({"a": [bottle], "b": [sliver]}).estimates
+
+    assert fused.kind == "bottle"
+
+
+@pytest.mark.requirement("P3")
 def test_what_a_camera_has_in_common_stays_common_by_its_share():
     """Of two cameras alike, a quarter of each one's variance: the mean of the two."""
     common = np.diag([4e-6, 4e-6, 1e-6])
