@@ -243,6 +243,12 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="of suite pick: how the robot sees")
     parser.add_argument("--light", choices=LIGHT_KINDS, help="of suite perception: another light than drawn")
     parser.add_argument(
+        "--own",
+        type=float,
+        metavar="MM",
+        help="of suite fusion: the part of the usual declared error that each thing has for itself (2)",
+    )
+    parser.add_argument(
         "--cameras",
         type=int,
         choices=(1, 2),
