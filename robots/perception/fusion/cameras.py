@@ -171,12 +171,13 @@ def _fused(
     of_first = np.eye(3) - of_second
     shared = of_first @ first.error.shared_m2 @ of_first.T + of_second @ second.error.shared_m2 @ of_second.T
     # sizes, and where the edges are, are those of who measures them better
-    measures = second if second.error.size_share < first.error.size_share else first
+    better = second.error.size_share < first.error.size_share
+    measures, size_share = (second, second.error.size_share) if better else (first, first.error.size_share)
     words = second if second.confidence > first.confidence and not _same_words(first, second) else first
     pose = measures.odom_T_object.copy()
     pose[:3, 3] = both.mean
     # what is left does not average away over more frames
-    error = PositionError(both.covariance, np.zeros((3, 3)), measures.error.size_share, shared)
+    error = PositionError(both.covariance, np.zeros((3, 3)), size_share, shared)
     return start.innovation(measured), replace(
         words,
         odom_T_object=pose,

@@ -24,7 +24,7 @@ NO_PLANT = "none"
 USUAL_M = PerceptionModel().bias_m
 """The declared error of a place along each axis, as usual."""
 OWN_M = 0.002
-"""The part of it that each thing has for itself; the rest is the camera's calibration, which all things share.
+"""The part of it that each thing has for itself; the rest is the calibration, which all things share.
 
 Where all of it is each thing's own, a table that is 8 to 15 mm off is no disagreement: no test that raises
 a false alarm in one of fifty picks tells half of them from what is usual, even if it knew the true height.

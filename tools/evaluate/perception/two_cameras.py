@@ -108,7 +108,8 @@ def judge_pair(seed: int, light: LightKind | None = None) -> list[SeenTwice]:
     odom_T_world = poses.inverse(world_T_odom(what.scene))
     differ = {id(one) for one, _ in both.differing}
     fused = _objects(both.estimates)
-    records, used = [], set()
+    records: list[SeenTwice] = []
+    used: set[int] = set()
     for item in what.scene.objects:
         place = (odom_T_world @ item.world_T_object[:, 3])[:3]
         near = _near(fused, place)
