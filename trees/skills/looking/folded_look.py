@@ -7,11 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from kinematics.geometry import poses
 from kinematics.ik.arm_frames import elbow_frame
 from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.scene.support_of import support_of
+from kinematics.scene.support_of import support_of, top_m
 from robots.perception.fusion.cameras import HEAD, PlacedCamera, Seen
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import seen_to_float, standing_on_tops
@@ -115,7 +116,7 @@ def folded_look(
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
     )
-    update = _with_what_looks_told(toolbox, update)
+    update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)
     if own:
         world.note_glimpse(glimpse)
@@ -165,6 +166,31 @@ def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> 
             message = f"what is on the {top} seems to stand {where} its top: one is seen at a wrong height"
             failure = Failure.postcondition(message, above_m=above_m, usual_m=innovation.sigma)
             tell_disagreement(toolbox, failure.because(Reason.SEEN_TO_FLOAT))
+
+
+def _with_felt_tops(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
+    """Tops that a hand has felt elsewhere than they are seen, at the height that both agree on.
+
+    What stands on them is raised with them.
+    """
+    scene = update.scene
+    for name, felt in toolbox.world.felt_tops.items():
+        estimate = update.seen.get(name)
+        if not felt.contradicts or estimate is None or estimate.error is None or name not in scene.objects:
+            continue
+        top = scene.objects[name]
+        variance_m2 = float(estimate.error.covariance_m2[2, 2])
+        raised_m = felt.fused(top_m(top), variance_m2) - top_m(top)
+        gap_m = toolbox.policy.support_gap_m
+        on_it = [
+            item
+            for item in scene.objects.values()
+            if item.movable and (below := support_of(item, scene, gap_m)) is not None and below.name == name
+        ]
+        raised = poses.translation(0.0, 0.0, raised_m)
+        moved = [replace(item, world_T_object=raised @ item.world_T_object) for item in (top, *on_it)]
+        scene = scene.with_objects({**scene.objects, **{item.name: item for item in moved}}.values())
+    return update if scene is update.scene else SceneUpdate(scene, update.seen)
 
 
 def _with_what_looks_told(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
