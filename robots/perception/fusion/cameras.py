@@ -14,6 +14,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder
 from robots.perception.detector import Detector
 from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
+from robots.perception.fusion.registration import registrations
 from robots.perception.object_estimate import ObjectEstimate, could_hold
 from robots.perception.position_error import PositionError
 from robots.scenes.fixed_camera import HEAD_CAMERA
@@ -88,8 +89,9 @@ def seen_by_all(by_camera: Mapping[str, Sequence[ObjectEstimate]]) -> Seen:
     """Fuse what several cameras show.
 
     Where two cameras agree on a place, both count by their declared errors; where they do not, the camera
-    that comes first does. Of a detector that declares no error the first camera's word counts. What one of
-    them takes for another kind or colour is what the surer one takes it for.
+    that comes first does. What all things that both show are apart by tells what their calibrations are wrong
+    by, and moves what only one of them shows as well. Of a detector that declares no error the first camera's
+    word counts. What one of them takes for another kind or colour is what the surer one takes it for.
 
     Args:
         by_camera: What each shows, in the odometry frame; the one that is trusted most first.
@@ -97,17 +99,17 @@ def seen_by_all(by_camera: Mapping[str, Sequence[ObjectEstimate]]) -> Seen:
     merged: list[ObjectEstimate] = []
     differing: list[tuple[ObjectEstimate, Innovation]] = []
     for name, estimates in by_camera.items():
-        pairs = _pairs(merged, estimates)
-        for k, estimate in enumerate(estimates):
-            if k not in pairs:
+        seen, pairs = list(estimates), _pairs(merged, estimates)
+        apart = {k: _apart(merged[i], seen[k], name) for k, i in pairs.items()}
+        differing += [(merged[pairs[k]], far) for k, far in apart.items() if far is not None]
+        agreed = {k: i for k, i in pairs.items() if apart[k] is None}
+        if (moves := registrations([(merged[i], seen[k]) for k, i in agreed.items()])) is not None:
+            merged, seen = list(map(moves[0].moved, merged)), list(map(moves[1].moved, seen))
+        for k, estimate in enumerate(seen):
+            if k in agreed:
+                merged[agreed[k]] = _fused(merged[agreed[k]], estimate, name)
+            elif k not in pairs:
                 merged.append(estimate)
-                continue
-            i = pairs[k]
-            innovation, both = _fused(merged[i], estimate, name)
-            if innovation is not None and innovation.disagrees:
-                differing.append((merged[i], innovation))
-            else:
-                merged[i] = both
     shows = {name: bool(estimates) for name, estimates in by_camera.items()}
     blind = tuple(name for name, some in shows.items() if not some) if any(shows.values()) else ()
     return Seen(tuple(merged), tuple(differing), blind)
@@ -158,18 +160,24 @@ def _as_high(one: ObjectEstimate, other: ObjectEstimate) -> bool:
     return max(apart_m) < _LEVEL_M
 
 
-def _fused(
-    first: ObjectEstimate, second: ObjectEstimate, source: str
-) -> tuple[Innovation | None, ObjectEstimate]:
+def _apart(first: ObjectEstimate, second: ObjectEstimate, source: str) -> Innovation | None:
+    """By how much two cameras show a thing at different places, where both may not be wrong by so much."""
     if first.error is None or second.error is None:
-        return None, first
+        return None
     start = Gaussian(first.odom_T_object[:3, 3], first.error.covariance_m2)
-    measured = Measurement(source, 0.0, second.odom_T_object[:3, 3], second.error.covariance_m2, np.eye(3))
-    both = start.updated(measured)
-    # each camera's calibration comes in by its share
-    of_second = np.linalg.solve(start.covariance + measured.covariance, start.covariance).T
-    of_first = np.eye(3) - of_second
-    shared = of_first @ first.error.shared_m2 @ of_first.T + of_second @ second.error.shared_m2 @ of_second.T
+    place = second.odom_T_object[:3, 3]
+    found = start.innovation(Measurement(source, 0.0, place, second.error.covariance_m2, np.eye(3)))
+    return found if found.disagrees else None
+
+
+def _fused(first: ObjectEstimate, second: ObjectEstimate, source: str) -> ObjectEstimate:
+    """One estimate of what two cameras agree on, whose calibrations have been compared."""
+    if first.error is None or second.error is None:
+        return first
+    start = Gaussian(first.odom_T_object[:3, 3], first.error.own_m2)
+    place = second.odom_T_object[:3, 3]
+    both = start.updated(Measurement(source, 0.0, place, second.error.own_m2, np.eye(3)))
+    shared = first.error.shared_m2
     # sizes, and where the edges are, are those of who measures them better
     better = second.error.size_share < first.error.size_share
     measures, size_share = (second, second.error.size_share) if better else (first, first.error.size_share)
@@ -177,8 +185,8 @@ def _fused(
     pose = measures.odom_T_object.copy()
     pose[:3, 3] = both.mean
     # what is left does not average away over more frames
-    error = PositionError(both.covariance, np.zeros((3, 3)), size_share, shared)
-    return start.innovation(measured), replace(
+    error = PositionError(both.covariance + shared, np.zeros((3, 3)), size_share, shared)
+    return replace(
         words,
         odom_T_object=pose,
         shape=measures.shape,

@@ -8,7 +8,7 @@ import numpy as np
 
 from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
 
-TOUCH_M = 0.004
+TOUCH_M = 0.002
 """Standard deviation of the height of a touch: encoders, a body that sways, and how far a hand still goes
 down until the force is felt."""
 

@@ -118,6 +118,7 @@ def folded_look(
     )
     update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)
+    world.note_top_errors(update.seen)
     if own:
         world.note_glimpse(glimpse)
     return update
@@ -171,7 +172,7 @@ def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> 
 def _with_felt_tops(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
     """Tops that a hand has felt elsewhere than they are seen, at the height that both agree on.
 
-    What stands on them is raised with them.
+    What this look shows on them is raised with them.
     """
     scene = update.scene
     for name, felt in toolbox.world.felt_tops.items():
@@ -184,7 +185,7 @@ def _with_felt_tops(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
         gap_m = toolbox.policy.support_gap_m
         on_it = [
             item
-            for item in scene.objects.values()
+            for item in map(scene.objects.__getitem__, update.seen)
             if item.movable and (below := support_of(item, scene, gap_m)) is not None and below.name == name
         ]
         raised = poses.translation(0.0, 0.0, raised_m)

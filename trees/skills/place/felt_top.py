@@ -39,9 +39,8 @@ def note_felt_top(toolbox: Toolbox, held: HeldObject, placement: Placement, touc
     if top is None:
         return
     felt = FeltTop(f"{held.hand} hand", toolbox.clock.now_s(), touched_m)
-    sighting = world.sightings.get(top.name)
-    if sighting is not None and sighting.error is not None:
-        error, half_m = sighting.error, 0.5 * held.shape.height_m
+    error, half_m = world.top_errors.get(top.name), 0.5 * held.shape.height_m
+    if error is not None:
         variance_m2 = 2.0 * float(error.own_m2[2, 2]) + (error.size_share * half_m) ** 2
         innovation = felt.compared(top_m(top), variance_m2)
         if innovation.disagrees:

@@ -118,16 +118,46 @@ def test_a_slim_box_as_high_as_a_bottle_at_its_place_is_the_bottle():
     assert fused.kind == "bottle"
 
 
-@pytest.mark.requirement("P3")
-def test_what_a_camera_has_in_common_stays_common_by_its_share():
-    """Of two cameras alike, a quarter of each one's variance: the mean of the two."""
-    common = np.diag([4e-6, 4e-6, 1e-6])
-    error = PositionError(common + 1e-6 * np.eye(3), np.zeros((3, 3)), 0.01, common)
-    one = replace(cup((0, 0, 0)), error=error)
-    (fused,) = seen_by_all({"a": [one], "b": [one]}).estimates
+COMMON = np.diag([9e-6, 9e-6, 4e-6])
 
-    assert fused.error.shared_m2 == pytest.approx(0.5 * common)
-    assert fused.error.covariance_m2 == pytest.approx(0.5 * error.covariance_m2)
+
+def two_views(rng, count=4, own_m=0.001):
+    """Things as two cameras show them whose calibrations are wrong, and where the things are."""
+    error = PositionError(COMMON + own_m**2 * np.eye(3), np.zeros((3, 3)), 0.01, COMMON)
+    places = np.column_stack([np.arange(count) * 0.15, rng.uniform(-0.2, 0.2, count), np.zeros(count)])
+    shown = []
+    for _ in range(2):
+        wrong = rng.normal(0.0, np.sqrt(np.diag(COMMON))) + rng.normal(0.0, own_m, places.shape)
+        shown.append([replace(cup(place), error=error) for place in places + wrong])
+    return places, *shown
+
+
+@pytest.mark.requirement("P3")
+def test_what_both_cameras_show_betters_the_place_of_what_only_one_shows():
+    rng = np.random.default_rng(5)
+    alone, both = [], []
+    for _ in range(200):
+        places, first, second = two_views(rng)
+        seen = seen_by_all({"a": first, "b": second[1:]})
+        (fused,) = [one for one in seen.estimates if abs(one.odom_T_object[0, 3] - places[0, 0]) < 0.07]
+        alone.append(np.linalg.norm(first[0].odom_T_object[:3, 3] - places[0]))
+        both.append(np.linalg.norm(fused.odom_T_object[:3, 3] - places[0]))
+
+    assert np.median(both) < 0.85 * np.median(alone)
+
+
+@pytest.mark.requirement("P3")
+def test_what_is_left_of_two_calibrations_is_declared_as_it_is():
+    rng = np.random.default_rng(6)
+    off = []
+    for _ in range(300):
+        places, first, second = two_views(rng)
+        fused = seen_by_all({"a": first, "b": second}).estimates[0]
+        off.append(fused.odom_T_object[:3, 3] - places[0])
+
+    declared = np.sqrt(np.diag(fused.error.covariance_m2))
+    assert np.std(off, axis=0) == pytest.approx(declared, rel=0.2)
+    assert (np.diag(fused.error.shared_m2) < 0.7 * np.diag(COMMON)).all()
 
 
 def test_a_camera_should_show_what_is_well_within_its_pictures():
