@@ -80,6 +80,7 @@ class Reason(Enum):
     CLOSED_ON_NOTHING = "the fingers closed on nothing where the camera shows the thing"
     FELT_OTHER_SIZE = "the fingers feel another size than the camera shows"
     FELT_ELSEWHERE = "the hand feels the thing elsewhere than the camera shows it"
+    FELT_OTHER_HEIGHT = "the hand feels a top at another height than the camera shows it"
     FELT_IN_THE_WAY = "the arm met something where nothing is known to be"
     SEEN_TO_FLOAT = "what stands on a top is seen above it, or sunk in it"
     CAMERAS_DIFFER = "two cameras show one thing at different places"
@@ -95,6 +96,7 @@ DISAGREEMENTS = frozenset(
         Reason.CLOSED_ON_NOTHING,
         Reason.FELT_OTHER_SIZE,
         Reason.FELT_ELSEWHERE,
+        Reason.FELT_OTHER_HEIGHT,
         Reason.FELT_IN_THE_WAY,
         Reason.SEEN_TO_FLOAT,
         Reason.CAMERAS_DIFFER,

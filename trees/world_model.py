@@ -11,7 +11,9 @@ from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.perception.fusion.felt_top import FeltTop
 from robots.perception.object_estimate import ObjectEstimate
+from robots.perception.position_error import PositionError
 from trees.beliefs.openings.handles import HandleTarget
 from trees.beliefs.scene.person_looks import PersonLooks
 from trees.beliefs.sight.sight import Glimpse
@@ -72,6 +74,9 @@ class WorldModel:
         taken_from: Where each object stood, by name, that a hand holds or that this task has put down.
         felt_widths: What fingers have felt of a thing's width, m, by its name, where that is another one
             than the camera tells; the newest counts.
+        top_errors: How wrong the newest look at each piece of furniture may be, by its name; of a detector
+            that declares it.
+        felt_tops: At which height a hand has felt a top in this task, by the top's name; the newest counts.
         at_handle: The hand that is at the handle of a door or drawer; None once it has drawn back. A
             cancelled task leaves the hand there, and the next task has to let go first.
     """
@@ -86,6 +91,8 @@ class WorldModel:
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, FormerPlace] = {}
         self.felt_widths: Mapping[str, float] = {}
+        self.top_errors: Mapping[str, PositionError] = {}
+        self.felt_tops: Mapping[str, FeltTop] = {}
         self.at_handle: HandAtHandle | None = None
         self.people: Mapping[str, PersonLooks] = {}
         self._reasons: set[str] = set()
@@ -99,6 +106,7 @@ class WorldModel:
         """What was seen in another task is believed, and no more; what that put down is where it goes."""
         self.sightings = {}
         self.felt_widths = {}
+        self.felt_tops = {}
         self.people = {}
         self._reasons.clear()
         held = self._scene.attached
@@ -147,6 +155,20 @@ class WorldModel:
     def note_felt_width(self, name: str, width_m: float) -> None:
         """Remember how wide fingers have felt a thing to be; the camera's word counts less from now on."""
         self.felt_widths = {**self.felt_widths, name: width_m}
+
+    def note_top_errors(self, seen: Mapping[str, ObjectEstimate]) -> None:
+        """Remember how wrong what a look shows of furniture may be, and forget what is no longer believed."""
+        new = {
+            name: one.error
+            for name, one in seen.items()
+            if one.category == "furniture" and one.error is not None
+        }
+        known = {**self.top_errors, **new}
+        self.top_errors = {name: error for name, error in known.items() if name in self._scene.objects}
+
+    def note_felt_top(self, name: str, felt: FeltTop) -> None:
+        """Remember at which height a hand has felt a top."""
+        self.felt_tops = {**self.felt_tops, name: felt}
 
     def note_taken(self, name: str, origin: FormerPlace) -> None:
         """Remember where a thing stood before a task took it, though that puts it down and takes it again."""

@@ -10,7 +10,7 @@ from executive.session.events import EventHub, EventSink
 from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session, TreeBuilder
 from executive.session.supervisor import Supervisor
-from executive.understanding.canonical_detector import CanonicalDetector
+from executive.understanding.canonical_detector import CanonicalDetector, in_canonical_words
 from executive.understanding.canonical_words import canonical_kind
 from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.model.robot_model import RobotModel
@@ -27,7 +27,7 @@ from robots.perception.place_map import place_map
 from robots.scenes.planned_fault import PlannedFault
 from robots.scenes.scene_description import SceneDescription
 from robots.seeded import Seeded
-from robots.simulated.eyes import SimulatedPerception, simulated_perception
+from robots.simulated.eyes import SimulatedPerception, placed_cameras, simulated_perception
 from robots.simulated.fault_plan import plan_fault
 from robots.simulated.world import SimulatedWorld, build_world
 from trees.build import TaskTree
@@ -139,6 +139,7 @@ def assemble(
         ranging=world.ranging,
         planning=planning,
         see_offer=world.people.see_offer,
+        cameras=tuple(map(in_canonical_words, placed_cameras(perception, scene))),
     )
     session, supervisor = session_on(
         robot_here,

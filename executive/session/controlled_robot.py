@@ -15,6 +15,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from robots.clock import Clock
 from robots.perception.detector import Detector, RangeSensor
+from robots.perception.fusion.cameras import PlacedCamera
 from robots.scenes.scene_description import Region
 from robots.seeded import Seeded
 from trees.build import TaskTree
@@ -51,6 +52,7 @@ class ControlledRobot:
         ranging: What the range sensor scans.
         planning: The planning service.
         see_offer: Told whom something is held out to; in a simulated world, the people there see it.
+        cameras: Those that stand in the room.
     """
 
     model: RobotModel
@@ -67,6 +69,7 @@ class ControlledRobot:
     ranging: RangeSensor | None
     planning: TimedPlanning
     see_offer: Callable[[str], None]
+    cameras: tuple[PlacedCamera, ...] = ()
 
 
 def session_on(
@@ -129,6 +132,7 @@ def session_on(
         velocities=velocities,
         identity=identity or Identity(),
         calendar=calendar or Calendar(),
+        cameras=robot.cameras,
     )
     supervisor = Supervisor(robot.guard, robot.clock, hub)
     session = Session(

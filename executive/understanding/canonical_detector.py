@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
+from executive.understanding.canonical_words import canonical_kind
 from robots.perception.detector import Detection, Detector, PerceptionFrame
+from robots.perception.fusion.cameras import PlacedCamera
 
 
 class CanonicalDetector:
@@ -57,3 +59,8 @@ class CanonicalDetector:
         if kind == seen.kind and both == seen.categories:
             return seen
         return replace(seen, kind=kind, names=names, categories=both)
+
+
+def in_canonical_words(camera: PlacedCamera) -> PlacedCamera:
+    """A camera that stands in the room, telling in the words of sentences."""
+    return replace(camera, detector=CanonicalDetector(camera.detector, canonical_kind))

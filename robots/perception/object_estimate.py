@@ -298,7 +298,7 @@ def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
         taken = estimate.category == "object" and any(
             other.category == "object"
             and math.dist(other.odom_T_object[:3, 3], estimate.odom_T_object[:3, 3]) < _SAME_PLACE_M
-            and not _could_hold(other.shape, estimate.shape)
+            and not could_hold(other.shape, estimate.shape)
             for other in kept
         )
         if not taken:
@@ -306,7 +306,8 @@ def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
     return kept
 
 
-def _could_hold(a: Shape, b: Shape) -> bool:
+def could_hold(a: Shape, b: Shape) -> bool:
+    """Whether one of two solids is so much wider that the other may be in it."""
     small, large = sorted((_width_m(a), _width_m(b)))
     return large > _HOLDS_FACTOR * small
 

@@ -72,12 +72,12 @@ def _height(source: str, at_m: float, variance_m2: float) -> Measurement:
 
 
 def _height_variance(item: ObjectEstimate) -> float:
-    """Of an estimate's upper or lower end; 0 when it declares no error."""
+    """Of an estimate's upper or lower end, beside others of the same camera; 0 when it declares no error."""
     if item.error is None:
         return 0.0
     shape = item.shape
     half_m = shape.radius_m if isinstance(shape, Ball) else 0.5 * shape.height_m
-    return float(item.error.covariance_m2[2, 2]) + (item.error.size_share * half_m) ** 2
+    return float(item.error.own_m2[2, 2]) + (item.error.size_share * half_m) ** 2
 
 
 def _standing(

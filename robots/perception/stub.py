@@ -2,6 +2,7 @@
 
 Every error is a number of ``PerceptionModel``:
 
+- *calibration*, along the world's axes, drawn once an episode, which everything has in common;
 - *bias*, along the world's axes, and *size error*, drawn once for each object or piece of furniture
   and episode: another look does not average them away;
   Beyond 4 m it grows with the square of the distance, as the noise of positions does;
@@ -73,6 +74,7 @@ class PerceptionStub:
 
     Attributes:
         faults: Further errors, to be injected by tests and evaluations.
+        cameras: Others, which stand in the room; they go on with this one.
     """
 
     def __init__(
@@ -84,11 +86,14 @@ class PerceptionStub:
         rng: np.random.Generator,
     ) -> None:
         self.faults = StubFaults()
+        self.cameras: tuple[PerceptionStub, ...] = ()
         self._truth = truth
         self._camera = camera
         self._model = model
         self._clock = clock
         self._episode_rng, self._frame_rng, self._false_rng, self._traits_rng = rng.spawn(4)
+        calibration = self._episode_rng.spawn(1)[0].normal(0.0, model.calibration_m, 3)
+        self._calibration_m = calibration if model.calibration_m > 0.0 else np.zeros(3)
         self._sight = Sight(truth, camera)
         self._episodes: dict[str, _Episode] = {}
         self._labels = told_labels(_called(truth), model.labels)
@@ -121,6 +126,8 @@ class PerceptionStub:
             self._due_s = self._start_s + self._pictures / self._model.rate_hz
         while self._pending and now_s >= self._pending[0].stamp_s + self._model.latency_s:
             self._latest = self._pending.popleft()
+        for other in self.cameras:
+            other.tick()
 
     def set_error(
         self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True
@@ -189,7 +196,7 @@ class PerceptionStub:
         away_m = np.linalg.norm(world_T_object[:, :3, 3] - world_T_camera[:3, 3], axis=1)
         worse = np.maximum(1.0, (away_m / _SHARP_M) ** 2)
         world_T_object[:, :3, 3] += model.noise_m * worse[:, None] * noise[:, :3]
-        world_T_object[:, :3, 3] += [
+        world_T_object[:, :3, 3] += self._calibration_m + [
             grown * self._episode(solid).bias_m + self.faults.offset_m(solid.category, solid.kind, stamp_s)
             for solid, grown in zip(solids, worse, strict=True)
         ]
@@ -208,7 +215,10 @@ class PerceptionStub:
                 categories=solid.categories,
                 traits=self._traits(solid),
                 error=alike_in_all_directions(
-                    _declared(grown * model.bias_m), _declared(grown * model.noise_m), model.size_noise
+                    _declared(grown * model.bias_m),
+                    _declared(grown * model.noise_m),
+                    model.size_noise,
+                    model.calibration_m,
                 ),
             )
             for (solid, share), pose, row, grown in zip(

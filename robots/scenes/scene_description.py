@@ -15,6 +15,7 @@ from typing import Literal
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
 from robots.scenes.scene_words import ANY_LABEL, COLORS
@@ -43,6 +44,7 @@ class PerceptionModel:
     Attributes:
         kind: "stub", or "rgbd" for what the robot's own camera shows; its errors are the robot's data.
         bias_m: Standard deviation, each axis, of an error drawn once for each solid and episode.
+        calibration_m: The same of an error that all things of one camera share, drawn once an episode.
         noise_m: The same, drawn anew for each frame.
         orientation_noise_rad: Of the rotation vector, each axis, each frame.
         size_noise: Relative standard deviation of estimated sizes, drawn once an episode.
@@ -71,6 +73,7 @@ class PerceptionModel:
     min_visible: float = 0.25
     labels: tuple[str, ...] = ()
     trait_dropout: float = 0.1
+    calibration_m: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,6 +225,7 @@ class SceneDescription:
     people: tuple[Person, ...] = ()
     places: tuple[Region, ...] = ()
     light: Light = field(default_factory=Light)
+    cameras: tuple[FixedCamera, ...] = ()
 
 
 def told_names(name: str, kind: str, names: Iterable[str]) -> tuple[str, ...]:

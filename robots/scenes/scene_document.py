@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag, ValidationInfo
 
 from kinematics.geometry.shapes import Ball, Box, Cylinder
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.light import Light, LightChange, LightKind
 from robots.scenes.scene_description import (
     Furniture,
@@ -293,3 +294,4 @@ class SceneDocument(StrictTable):
     object: list[AnyObject] = Field(default_factory=list)
     place: list[Annotated[Region, AsTable()]] = Field(default_factory=list)
     light: LightTable = LightTable()
+    camera: list[Annotated[FixedCamera, AsTable()]] = Field(default_factory=list)

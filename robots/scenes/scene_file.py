@@ -97,6 +97,7 @@ def read_scene(text: str, source: str, name: str) -> SceneDescription:
         people=tuple(document.person),
         places=tuple(document.place),
         light=document.light.value(),
+        cameras=tuple(document.camera),
     )
     validate(scene, source)
     return scene

@@ -10,8 +10,9 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.scenes import articulated, furniture, light
+from robots.scenes import articulated, fixed_camera, furniture, light
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
@@ -100,6 +101,9 @@ def validate(scene: SceneDescription, source: str) -> None:
     _check_perception(scene.perception, source)
     if (dark := light.defect(scene.light)) is not None:
         raise SceneError(source, f"light.{dark[0]}", dark[1])
+    for i, camera in enumerate(scene.cameras):
+        if (wrong := fixed_camera.defect(camera)) is not None:
+            raise SceneError(source, f"camera[{i}].{wrong[0]}", wrong[1])
     start = scene.robot_start
     for key, value in (("x_m", start.x_m), ("y_m", start.y_m), ("yaw_rad", start.yaw_rad)):
         _require(math.isfinite(value), source, f"robot_start.{key}", f"must be finite, not {value}")
@@ -149,6 +153,7 @@ def _check_perception(model: PerceptionModel, source: str) -> None:
     for key in (
         "bias_m", "noise_m", "orientation_noise_rad", "size_noise", "latency_s", "false_rate",
         "merge_distance_m", "rate_hz", "dropout", "merge_chance", "min_visible", "trait_dropout",
+        "calibration_m",
     ):  # fmt: skip
         value = getattr(model, key)
         _require(
@@ -235,11 +240,12 @@ def _check_region(region: Region, source: str, key: str) -> None:
 
 def _check_names(scene: SceneDescription, source: str) -> None:
     seen: dict[str, str] = {}
-    groups: tuple[tuple[str, Sequence[Furniture | SceneItem | Person | Region]], ...] = (
+    groups: tuple[tuple[str, Sequence[Furniture | SceneItem | Person | Region | FixedCamera]], ...] = (
         ("furniture", scene.furniture),
         ("object", scene.objects),
         ("person", scene.people),
         ("place", scene.places),
+        ("camera", scene.cameras),
     )
     for group, named in groups:
         for i, item in enumerate(named):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields
+from collections.abc import Mapping
+from dataclasses import MISSING, fields
 from typing import Any
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.light import Light
 from robots.scenes.scene_description import Furniture, Person, SceneDescription
 
@@ -51,6 +53,8 @@ def dump(scene: SceneDescription) -> str:
     for region in scene.places:
         lines += ["", "[[place]]", *_pairs(name=region.name, position_m=region.position_m)]
         lines += _pairs(size_m=region.size_m, yaw_rad=region.yaw_rad)
+    for camera in scene.cameras:
+        lines += ["", "[[camera]]", *_camera_lines(camera)]
     for item in scene.objects:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
@@ -66,6 +70,30 @@ def dump(scene: SceneDescription) -> str:
         yaw = poses.yaw_of(item.world_T_object[:3, :3])
         lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
     return "\n".join(lines) + "\n"
+
+
+def _camera_lines(camera: FixedCamera) -> list[str]:
+    """What is said of a camera: what it is like where it is not a usual one."""
+    said = {
+        item.name: getattr(camera, item.name)
+        for item in fields(FixedCamera)
+        if item.name != "errors" and (item.default is MISSING or getattr(camera, item.name) != item.default)
+    }
+    wrong = {
+        item.name: getattr(camera.errors, item.name)
+        for item in fields(camera.errors)
+        if getattr(camera.errors, item.name) != item.default
+    }
+    lines = _numbers(said)
+    return [*lines, "[camera.errors]", *_numbers(wrong)] if wrong else lines
+
+
+def _numbers(values: Mapping[str, Any]) -> list[str]:
+    """The same as ``_pairs``, of values among which pixels are whole numbers."""
+    return [
+        f"{key} = {value}" if isinstance(value, int) else f"{key} = {_toml(value)}"
+        for key, value in values.items()
+    ]
 
 
 def _pairs(**values: Any) -> list[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
@@ -11,29 +13,40 @@ from robots.clock import Clock
 from robots.interface.hardware import RobotData
 from robots.interface.sensed_state import SensedState
 from robots.perception.detector import Detector
+from robots.perception.fusion.cameras import PlacedCamera, calibrated_places
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.stub import PerceptionStub
 from robots.perception.stub_faults import StubFaults
 from robots.scenes.scene_description import SceneDescription
+from robots.simulated.truth.seen_from import SeenFrom
 from robots.simulated.world import SimulatedWorld
 
 
-class SimulatedPerception(Detector, Protocol):
-    """A detector that goes on with the world's control periods, and that can be made to err."""
+class SimulatedCamera(Detector, Protocol):
+    """A detector that can be made to err."""
 
     @property
     def faults(self) -> StubFaults:
         """Errors beyond those that are declared."""
         ...
 
-    def tick(self) -> None:
-        """One control period has passed."""
-        ...
-
     def set_error(
         self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True
     ) -> None:
         """Tell every object of a kind at a wrong place; see ``StubFaults.misplace``."""
+        ...
+
+
+class SimulatedPerception(SimulatedCamera, Protocol):
+    """The robot's own camera; it goes on with the world's control periods, and others with it."""
+
+    @property
+    def cameras(self) -> Sequence[SimulatedCamera]:
+        """Those that stand in the room, in the scene's order."""
+        ...
+
+    def tick(self) -> None:
+        """One control period has passed."""
         ...
 
 
@@ -71,8 +84,9 @@ def simulated_perception(
         RenderingUnavailableError: Nothing can be drawn here.
     """
     if scene.perception.kind == "stub":
-        return PerceptionStub(world.truth, robot.description.camera, scene.perception, clock, rng)
-    from robots.simulated.camera.camera_perception import Believed, CameraPerception, picture_camera
+        return _stub(world, robot, scene, clock, rng)
+    from robots.simulated.camera.camera_perception import CameraPerception, picture_camera
+    from robots.simulated.camera.feed import Believed
 
     frame = picture_camera(robot).frame
 
@@ -82,4 +96,46 @@ def simulated_perception(
 
     return CameraPerception(
         world.physics, robot, scene, clock, rng, believed, waits=waits, labelling=labelling
+    )
+
+
+def _stub(
+    world: SimulatedWorld,
+    robot: RobotData,
+    scene: SceneDescription,
+    clock: Clock,
+    rng: np.random.Generator,
+) -> PerceptionStub:
+    """The stub for the robot's own camera, and one for each that stands in the room."""
+    own = PerceptionStub(world.truth, robot.description.camera, scene.perception, clock, rng)
+    own.cameras = tuple(
+        PerceptionStub(
+            SeenFrom(world.truth, camera.world_T_camera),
+            replace(
+                robot.description.camera,
+                horizontal_fov_rad=camera.field_of_view_rad[0],
+                vertical_fov_rad=camera.field_of_view_rad[1],
+                range_m=camera.range_m,
+            ),
+            replace(scene.perception, rate_hz=camera.rate_hz, latency_s=camera.latency_s),
+            clock,
+            chance,
+        )
+        for camera, chance in zip(scene.cameras, rng.spawn(len(scene.cameras)), strict=True)
+    )
+    return own
+
+
+def placed_cameras(perception: SimulatedPerception, scene: SceneDescription) -> tuple[PlacedCamera, ...]:
+    """The cameras that stand in the room, as whoever looks through them needs them.
+
+    Args:
+        perception: That of the scene.
+        scene: Where they are.
+    """
+    return tuple(
+        PlacedCamera(camera.name, detector, place, camera.field_of_view_rad, camera.range_m)
+        for camera, detector, place in zip(
+            scene.cameras, perception.cameras, calibrated_places(scene), strict=True
+        )
     )

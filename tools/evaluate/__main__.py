@@ -7,7 +7,7 @@ import json
 import os
 import sys
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -49,6 +49,7 @@ from tools.evaluate.mcp.tasks import run_mcp
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.people_seen.suite import PEOPLE_SEEN_SUITE, run_people_seen
 from tools.evaluate.perception.camera_faults import CAMERA_FAULTS
 from tools.evaluate.perception.suite import PERCEPTION_SUITE, run_perception
 from tools.evaluate.questions import run_question_episode
@@ -56,6 +57,7 @@ from tools.evaluate.records import EpisodeRecord, Run, Summary, dead_episode
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
+from tools.evaluate.shown.suite import SHOWN_SUITE, run_shown
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
@@ -65,9 +67,14 @@ from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.summed_suite import DISTURBED_SUITES, JOG_SUITES, run_summed_suite
 
+_CAMERA_SUITES: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingProxyType(
+    {PERCEPTION_SUITE: run_perception, PEOPLE_SEEN_SUITE: run_people_seen, SHOWN_SUITE: run_shown}
+)
+"""Pictures are taken and judged, and nothing moves."""
+
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
-        "what the camera sees": (PERCEPTION_SUITE,),
+        "what the camera sees": tuple(_CAMERA_SUITES),
         "the main job": ("pick", "question", "replay", HELD_MASS_SUITE),
         "stops and faults": ("stop", "cancel", "fault"),
         "senses that disagree": (FUSION_SUITE,),
@@ -161,8 +168,8 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             options.json,
             messages,
         )
-    if options.suite == PERCEPTION_SUITE:
-        return run_perception(options, messages)
+    if options.suite in _CAMERA_SUITES:
+        return _CAMERA_SUITES[options.suite](options, messages)
     if options.suite == "digests":
         return run_digests(options.check, options.record, options.jobs, options.every, messages)
     if options.suite == "soak":
@@ -262,6 +269,19 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     )
     parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="of suite pick: how the robot sees")
     parser.add_argument("--light", choices=LIGHT_KINDS, help="of suite perception: another light than drawn")
+    parser.add_argument(
+        "--own",
+        type=float,
+        metavar="MM",
+        help="of suite fusion: the part of the usual declared error that each thing has for itself (2)",
+    )
+    parser.add_argument(
+        "--cameras",
+        type=int,
+        choices=(1, 2),
+        default=1,
+        help="of suite perception: 2 compares the robot's own with both, the other somewhere in the room",
+    )
     parser.add_argument(
         "--pictures", type=Path, metavar="FILE", help="of suite perception: keep the records here"
     )

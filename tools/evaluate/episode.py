@@ -8,7 +8,7 @@ from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import TaskResult, chain
 from executive.understanding.command_parser import parse
-from robots.simulated.camera.camera_perception import CameraFaults
+from robots.simulated.camera.feed import CameraFaults
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
 from tools.evaluate.orders import EpisodeOrder

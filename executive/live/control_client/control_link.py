@@ -46,6 +46,7 @@ from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotReader
 from robots.live.wire.unix_socket import UnixSocket, connect_to
 from robots.perception.detector import PerceptionFrame
+from robots.perception.fusion.cameras import HEAD
 
 _ANSWER_WITHIN_S = 10.0
 """Wall time in which a greeting is answered; the machine may be busy."""
@@ -78,7 +79,7 @@ class ControlLink:
         report: The newest state of the robot.
         emergency: The emergency stop that is engaged, or None.
         defects, reservations: What is wrong with the robot, so that it must not move, or takes no new task.
-        frame: The newest perception frame, or None.
+        frames: The newest perception frame of each camera, by its name.
         scan: The newest range scan, or None.
         verdicts: Of trajectories by their number, as they come.
         lost: Why the connection ended, or empty.
@@ -105,7 +106,7 @@ class ControlLink:
         self._jogged: dict[int, Callable[[JogReport], None]] = {}
         self._refusals: OrderedDict[int, Callable[[str], None]] = OrderedDict()
         self._listen: Callable[[ControlEvent], None] = lambda _event: None
-        self.frame: PerceptionFrame | None = None
+        self.frames: dict[str, PerceptionFrame] = {}
         self.scan: RangeScan | None = None
         self.verdicts: dict[int, Verdict] = {}
         self.emergency: EmergencyStop | None = None
@@ -327,7 +328,7 @@ class ControlLink:
             case "motion":
                 self._follow(message)
             case "frame":
-                self.frame = read_frame(message)
+                self.frames[str(message.get("source", HEAD))] = read_frame(message)
             case "scan":
                 self.scan = read_scan(message)
             case "felt":

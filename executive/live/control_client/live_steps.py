@@ -13,6 +13,7 @@ from robots.clock import WallClock
 from robots.control.loop.state_history import StateHistory
 from robots.control.period import PERIOD_S
 from robots.perception.detector import PerceptionFrame
+from robots.perception.fusion.cameras import HEAD
 from trees.world_model import WorldModel
 
 _TICK_S = PERIOD_S * PERIODS_A_TICK
@@ -40,9 +41,9 @@ class LiveClock:
 class DetectorClient:
     """Frames from the control process; satisfies ``robots.perception.detector.Detector``."""
 
-    def __init__(self, link: ControlLink) -> None:
-        """Take them from a link."""
-        self._link = link
+    def __init__(self, link: ControlLink, source: str = HEAD) -> None:
+        """Take those of one camera from a link."""
+        self._link, self._source = link, source
         self._asked_s = -_LOOKS_FOR_S
 
     @property
@@ -59,7 +60,7 @@ class DetectorClient:
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
         self._asked_s = self._link.now_s
-        return self._link.frame
+        return self._link.frames.get(self._source)
 
 
 class RangingClient:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import IO, Any, cast
 
@@ -42,7 +43,7 @@ from executive.session.driver import driven
 from executive.session.events import Event
 from executive.session.task_result import TaskResult
 from executive.trust import USUAL_TRUST, Trust
-from executive.understanding.canonical_detector import CanonicalDetector
+from executive.understanding.canonical_detector import CanonicalDetector, in_canonical_words
 from executive.understanding.canonical_words import canonical_kind
 from executive.understanding.command_parser import parse
 from executive.understanding.conversation import Conversation
@@ -51,6 +52,7 @@ from executive.vocabulary.place_words import words_of_the_place
 from kinematics.model.robot_model import RobotModel
 from robots.clock import local_time
 from robots.errors import SceneError
+from robots.live.documents.camera_message import cameras_of
 from robots.live.wire.connection import Connection
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.unix_socket import UnixSocket
@@ -117,6 +119,7 @@ class LiveExecutive:
         self._steps = LiveSteps(link, detector, ranging, world, self._meanwhile)
         self._planning = LivePlanning(planning, link, motion, world, self._note)
         chance = Seeded.by(int(link.about["seed"]))
+        placed = cameras_of(link.about["cameras"], partial(DetectorClient, link))
         served = ControlledRobot(
             model=model,
             clock=LiveClock(link),
@@ -132,6 +135,7 @@ class LiveExecutive:
             ranging=ranging,
             planning=self._planning,
             see_offer=link.offer,
+            cameras=tuple(map(in_canonical_words, placed)),
         )
         places = _places(str(link.about["scene"]), chance.places)
         settings = robot_settings(config_files())

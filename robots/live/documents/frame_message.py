@@ -12,11 +12,12 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.messages import write_message
 from robots.perception.detector import Detection, PerceptionFrame
+from robots.perception.fusion.cameras import HEAD
 from robots.perception.position_error import PositionError
 
 
-def write_frame(frame: PerceptionFrame) -> bytes:
-    """The payload of a frame."""
+def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
+    """The payload of a frame, with the camera that it is from."""
     seen = [
         {
             "category": item.category,
@@ -35,7 +36,12 @@ def write_frame(frame: PerceptionFrame) -> bytes:
         for item in frame.detections
     ]
     return write_message(
-        "frame", stamp_s=frame.stamp_s, sequence=frame.sequence, detections=seen, trouble=frame.trouble
+        "frame",
+        source=source,
+        stamp_s=frame.stamp_s,
+        sequence=frame.sequence,
+        detections=seen,
+        trouble=frame.trouble,
     )
 
 
@@ -77,14 +83,16 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
 def _error_json(error: PositionError | None) -> list[Any] | None:
     if error is None:
         return None
-    return [error.lasting_m2.ravel().tolist(), error.noise_m2.ravel().tolist(), error.size_share]
+    squares = (error.lasting_m2, error.noise_m2, error.shared_m2)
+    lasting, noise, shared = (square.ravel().tolist() for square in squares)
+    return [lasting, noise, error.size_share, shared]
 
 
 def _error(values: Any) -> PositionError | None:
     if values is None:
         return None
-    lasting, noise, size_share = values
-    return PositionError(_square(lasting), _square(noise), float(size_share))
+    lasting, noise, size_share, shared = values
+    return PositionError(_square(lasting), _square(noise), float(size_share), _square(shared))
 
 
 def _square(numbers: Any) -> Array:

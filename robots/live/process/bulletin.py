@@ -15,6 +15,7 @@ from robots.live.process.motion_desk import MotionDesk
 from robots.live.wire.connection import Connection
 from robots.live.wire.messages import write_message
 from robots.perception.detector import Detector, RangeSensor
+from robots.perception.fusion.cameras import HEAD, PlacedCamera
 
 _PROGRESS_EVERY = 25
 """Polls between two reports of a motion's progress."""
@@ -41,12 +42,15 @@ class Bulletin:
         detector: Detector,
         ranging: RangeSensor | None,
         motions: MotionDesk,
+        cameras: Iterable[PlacedCamera] = (),
     ) -> None:
         """Begin with the present condition, which everyone is told when they connect."""
         self._loop, self._clock, self._motions = loop, clock, motions
-        self._detector, self._ranging = detector, ranging
+        self._detectors = {HEAD: detector, **{camera.name: camera.detector for camera in cameras}}
+        self._ranging = ranging
         self._events: list[ControlEvent] = []
-        self._frame, self._polls, self._scan_due = -1, 0, 0
+        self._frames = dict.fromkeys(self._detectors, -1)
+        self._polls = self._scan_due = 0
         self._told_emergency, self._told_health = emergency_json(loop), health_json(loop)
 
     def note(self, event: ControlEvent) -> None:
@@ -90,13 +94,20 @@ class Bulletin:
         ]
 
     def _show_frame(self, commander: Connection) -> None:
-        """Send a new frame if the one before has left; a late one is of no use."""
+        """Send a new frame of one camera if the one before has left; a late one is of no use.
+
+        The camera that has waited longest comes first.
+        """
         if not commander.idle:
             return
-        frame = self._detector.latest()
-        if frame is not None and frame.sequence != self._frame:
-            self._frame = frame.sequence
-            commander.send(write_frame(frame))
+        newest = {source: detector.latest() for source, detector in self._detectors.items()}
+        for source in tuple(self._frames):
+            frame = newest[source]
+            if frame is not None and frame.sequence != self._frames[source]:
+                del self._frames[source]
+                self._frames[source] = frame.sequence
+                commander.send(write_frame(frame, source))
+                return
 
     def _show_scan(self, commander: Connection) -> None:
         """The same with what the range sensor sees, as soon as it can go."""

@@ -42,7 +42,7 @@ from robots.models.description import load_robot_for_tasks
 from robots.perception.labels.labelling import Labelling
 from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
-from robots.simulated.eyes import simulated_perception
+from robots.simulated.eyes import placed_cameras, simulated_perception
 from robots.simulated.world import SimulatedWorld, build_world
 
 PUBLISH_EVERY = 5
@@ -147,6 +147,7 @@ class ControlProcess:
             self._health,
             self._world.ranging,
             self._world.people.see_offer,
+            placed_cameras(self._perception, scene),
         )
         self._evaluation = (
             EvaluationServer(folder.evaluation_socket, self._truth, self._pacer)

@@ -7,7 +7,7 @@ anybody at any time.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ from robots.control.loop.control_loop import ControlLoop
 from robots.control.loop.emergency_stop import PersonsReset
 from robots.control.loop.watchdog import Watchdog
 from robots.control.motion_handle import MotionStatus
+from robots.live.documents.camera_message import cameras_json
 from robots.live.process.admission import AdmissionDesk, Asks, Verdict, verdict_message
 from robots.live.process.bulletin import Bulletin, Wanted
 from robots.live.process.condition import condition_json, emergency_json, health_json, moves
@@ -52,6 +53,7 @@ from robots.live.wire.messages import (
 )
 from robots.live.wire.socket_server import KEPT, SocketServer
 from robots.perception.detector import Detector, RangeSensor
+from robots.perception.fusion.cameras import PlacedCamera
 
 IDLE_SILENCE_S = 3.0
 """A commander that is silent for so long while nothing is under way loses its place; nothing needs a stop."""
@@ -75,6 +77,7 @@ class ControlServer:
         health: Callable[[], Mapping[str, Any]] = dict,
         ranging: RangeSensor | None = None,
         on_offer: Callable[[str], None] = lambda _person: None,
+        cameras: Sequence[PlacedCamera] = (),
     ) -> None:
         """Listen.
 
@@ -88,16 +91,18 @@ class ControlServer:
             health: Further facts for the status.
             ranging: Range scans for the commander.
             on_offer: Called when the robot begins to hold something out, with whom it is for.
+            cameras: Those that stand in the room: further frames for the commander.
         """
         self._loop, self._clock = loop, clock
-        self._about, self._health, self._on_offer = dict(about), health, on_offer
+        self._about = {**about, "cameras": cameras_json(cameras)}
+        self._health, self._on_offer = health, on_offer
         self._server = SocketServer(path, self._take, self._ended, self._rank)
         self._admission = AdmissionDesk(checker, self._tell_verdict)
         self._watchdog = Watchdog(clock)
         self._commander: Connection | None = None
         self._listeners: list[Connection] = []
         self._motions = MotionDesk(loop)
-        self._bulletin = Bulletin(loop, clock, detector, ranging, self._motions)
+        self._bulletin = Bulletin(loop, clock, detector, ranging, self._motions, cameras)
         self._order = MessageOrder(clock, self._tell_lost)
         self._world_version = 0
         self._busy = self._looking = self._scanning = False

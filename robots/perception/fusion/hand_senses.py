@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.estimation.held_centre import HeldCentre
 from kinematics.geometry.poses import Transform
 from robots.perception.fusion.gaussian import Gaussian, Innovation, Measurement
@@ -67,7 +68,23 @@ def compare_places(
     turn = odom_T_tcp[:3, :3]
     place = turn.T @ (estimate.odom_T_object[:3, 3] - odom_T_tcp[:3, 3])
     error = estimate.error.turned(turn.T).covariance_m2 + _REACH_M**2 * np.eye(3)
-    _, directions = np.linalg.eigh(felt.covariance)  # the surest first
-    known = directions[:, :2].T
+    known = _known_directions(felt)
     seen = Measurement("camera", stamp_s, known @ place, known @ error @ known.T, known)
     return felt.innovation(seen)
+
+
+def place_by_hand(felt: Gaussian, place: Array) -> Array:
+    """Where a thing is in the hand, by the hand as far as it feels that, else as it was believed.
+
+    Args:
+        felt: Where the hand feels it, in the TCP's frame.
+        place: Where it was believed to be there, shape (3,).
+    """
+    known = _known_directions(felt)
+    return np.asarray(place + known.T @ known @ (felt.mean - place))
+
+
+def _known_directions(felt: Gaussian) -> Array:
+    """The two directions in which a hand knows a place best, as rows, shape (2, 3)."""
+    _, directions = np.linalg.eigh(felt.covariance)  # the surest first
+    return np.asarray(directions[:, :2].T)

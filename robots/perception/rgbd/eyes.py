@@ -25,6 +25,7 @@ from robots.perception.rgbd.colors import (
     typical_colors,
 )
 from robots.perception.rgbd.confidence import confidences
+from robots.perception.rgbd.errors import Errors
 from robots.perception.rgbd.furniture import Piece, find_furniture
 from robots.perception.rgbd.labels import Call, by_shape, kinds, with_names
 from robots.perception.rgbd.people.find import SeenPerson, find_people
@@ -32,7 +33,7 @@ from robots.perception.rgbd.picture import Picture
 from robots.perception.rgbd.samples import Samples, sample
 from robots.perception.rgbd.segments import Segments, above, segment
 from robots.perception.rgbd.shapes import Solid, apart, find_solids
-from robots.perception.rgbd.surfaces import Surface, find_surfaces
+from robots.perception.rgbd.surfaces import MOST_TILT_RAD, Surface, find_surfaces
 from robots.perception.rgbd.wholes import with_wholes
 from robots.scenes.articulated import PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
@@ -208,6 +209,8 @@ def _segments(cloud: Cloud, surfaces: Sequence[Surface]) -> tuple[Segments, Arra
 def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
     """Detections in the frame of the camera, as the robot believes it to be."""
     camera_T_odom = poses.inverse(picture.odom_T_camera)
+    levelled = bool(seen.surfaces) and seen.tilt_rad <= MOST_TILT_RAD
+    errors = Errors(picture.camera, picture.odom_T_camera, levelled)
     detections = [
         Detection(
             category="object",
@@ -219,6 +222,7 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             confidence=thing.confidence,
             names=thing.call.names,
             alike=thing.call.alike,
+            error=errors.of_thing(thing.solid, thing.confidence),
         )
         for thing in seen.things
         if thing.there >= LEAST_THERE
@@ -232,6 +236,7 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             shape=piece.shape,
             confidence=piece.confidence,
             name=piece.name,
+            error=errors.of_furniture(piece),
         )
         for piece in seen.furniture
     ]
@@ -244,6 +249,7 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             shape=person.shape,
             confidence=person.confidence,
             traits=person.traits,
+            error=errors.of_person(person.odom_T_person[:3, 3]),
         )
         for person in seen.people
     ]

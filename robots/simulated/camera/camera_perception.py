@@ -1,4 +1,4 @@
-"""A detector that looks at what the robot's own camera shows of a simulated world."""
+"""A detector that looks at what cameras show of a simulated world: the robot's own, and those of the room."""
 
 from __future__ import annotations
 
@@ -9,76 +9,40 @@ import sys
 import weakref
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from functools import partial
 from multiprocessing.connection import Connection, Pipe
 from typing import Any
 
 import numpy as np
 
-from kinematics.arrays import Array, Sealed
-from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from robots.clock import Clock
 from robots.errors import DescriptionError, RenderingUnavailableError
 from robots.interface.depth_camera import DepthCamera
 from robots.interface.hardware import RobotData
 from robots.perception.detector import PerceptionFrame
+from robots.perception.fusion.cameras import calibrated_places
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.rgbd.furniture_map import furniture_map
-from robots.perception.stub_faults import StubFaults
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.physics import Physics
-from robots.simulated.camera.orders import Answer, LensFaults, Setup, Shot, WorldState
+from robots.simulated.camera.feed import Believed, CameraFaults, CameraFeed
+from robots.simulated.camera.orders import Answer, Setup
 from robots.simulated.pictures.opengl import require_opengl
 
-_TIME_TOLERANCE_S = 1e-9
-_IDLE_S = 0.1
-"""When nobody has asked for a frame for so long, none is taken: each costs as much as many periods."""
 _MODULE = "robots.simulated.camera.process"
 _END_WITHIN_S = 5.0
 
 
-@dataclass(frozen=True, slots=True)
-class Believed(Sealed):
-    """What the robot knows of itself when a picture is taken.
-
-    Attributes:
-        odom_T_camera: Where the camera is, shape (4, 4).
-        joints: Of its encoders, in the order of ``RobotDescription.actuated``.
-    """
-
-    odom_T_camera: Transform
-    joints: Array
-
-
-class CameraFaults(StubFaults):
-    """Switches for a camera that is wrong in a known way, beside those of what is told.
-
-    Attributes:
-        lens: What is wrong with the pictures.
-        frozen: Whether the same picture comes again and again.
-        late_s: How much later than usual what was found is told.
-        between: Called with the stamp of each frame: gives the faults of its picture; None: ``lens``.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.lens = LensFaults()
-        self.frozen = False
-        self.late_s = 0.0
-        self.between: Callable[[float], LensFaults] | None = None
-
-
 class CameraPerception:
-    """A ``Detector`` over the robot's first camera.
+    """A ``Detector`` over the robot's first camera; and the cameras of its scene beside it.
 
     Whoever advances the world calls ``tick`` once each control period. Pictures are taken when somebody
-    looks, drawn and looked at in a process of their own. In lockstep each is waited for; live, it comes when
-    it is done.
+    looks, drawn and looked at in a process of their own, one for all cameras. In lockstep each is waited for;
+    live, it comes when it is done.
 
     Attributes:
-        faults: Errors beyond the camera's own, injected by tests and evaluations.
-        looked_s: Processor time that the pictures took, beside drawing, each.
+        cameras: Those that stand in the room, in the scene's order; each a ``Detector`` of its own.
 
     Raises:
         DescriptionError: The robot has no camera for pictures.
@@ -97,11 +61,7 @@ class CameraPerception:
         waits: bool = True,
         labelling: Labelling = BY_SHAPE,
     ) -> None:
-        self.faults = CameraFaults()
-        self.looked_s: list[float] = []
-        self._camera = picture_camera(robot)
-        self._physics, self._clock, self._believed, self._waits = physics, clock, believed, waits
-        self._light = scene.light
+        self._waits = waits
         map_rng, seed_rng = rng.spawn(2)
         setup = Setup(
             robot.description.name,
@@ -110,84 +70,63 @@ class CameraPerception:
             int(seed_rng.integers(2**31)),
             labelling,
         )
+        self._own = CameraFeed(0, picture_camera(robot), physics, scene.light, clock, believed)
+        self.cameras = tuple(
+            CameraFeed(number, camera.lens, physics, scene.light, clock, partial(_standing, believed, place))
+            for number, (camera, place) in enumerate(
+                zip(scene.cameras, calibrated_places(scene), strict=True), start=1
+            )
+        )
+        self._under_way: deque[CameraFeed] = deque()
         self._pipe = _start(self)
-        self._labels: frozenset[str] | None = self._ask(setup)
-        self._pending: deque[PerceptionFrame] = deque()
-        self._asked = False
-        self._latest: PerceptionFrame | None = None
-        self._pictures = 0
-        self._start_s = self._due_s = self._asked_s = clock.now_s()
+        labels = self._ask(setup)
+        for feed in self._feeds:
+            feed.labels = labels
+
+    @property
+    def _feeds(self) -> tuple[CameraFeed, ...]:
+        return (self._own, *self.cameras)
 
     @property
     def labels(self) -> frozenset[str] | None:
         """The words that it can tell; None: any."""
-        return self._labels
+        return self._own.labels
+
+    @property
+    def faults(self) -> CameraFaults:
+        """Errors beyond the camera's own, injected by tests and evaluations."""
+        return self._own.faults
+
+    @property
+    def looked_s(self) -> list[float]:
+        """Processor time that the pictures took, beside drawing, each."""
+        return self._own.looked_s
 
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
-        self._asked_s = self._clock.now_s()
-        return self._latest
+        return self._own.latest()
 
     def tick(self) -> None:
-        """Take a picture when one is due and somebody looks, deliver those whose latency has passed."""
-        now_s = self._clock.now_s() + _TIME_TOLERANCE_S
-        if self._asked and self._pipe.poll(0):
+        """Take the pictures that are due while somebody looks, deliver those whose latency has passed."""
+        while self._under_way and self._pipe.poll(0):
             self._take_answer()
-        if now_s >= self._due_s:
-            if now_s - self._asked_s <= _IDLE_S and not self._asked:
-                self._pipe.send(self._shot())
-                self._asked = True
+        for feed in self._feeds:
+            if (shot := feed.shot()) is not None:
+                self._pipe.send(shot)
+                self._under_way.append(feed)
                 if self._waits:
                     self._take_answer()
-            self._pictures += 1
-            self._due_s = self._start_s + self._pictures / self._camera.rate_hz
-        late_s = self._camera.latency_s + self.faults.late_s
-        while self._pending and now_s >= self._pending[0].stamp_s + late_s:
-            self._latest = self._pending.popleft()
+            feed.deliver()
 
     def set_error(
         self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True
     ) -> None:
         """Tell every object of a kind at a wrong place; see ``StubFaults.misplace``."""
-        self.faults.misplace(kind, offset_m, first_look_only)
-
-    def _shot(self) -> Shot:
-        data, believed = self._physics.data, self._believed()
-        stamp_s = self._clock.now_s()
-        self.faults.observe(stamp_s, believed.odom_T_camera)
-        lens = self.faults.lens if self.faults.between is None else self.faults.between(stamp_s)
-        if self.faults.blind:
-            lens = replace(lens, covered=True)
-        return Shot(
-            stamp_s=stamp_s,
-            sequence=self._pictures,
-            state=WorldState(data.qpos, data.mocap_pos, data.mocap_quat),
-            joints=believed.joints,
-            odom_T_camera=believed.odom_T_camera,
-            light=self._light.at(stamp_s),
-            faults=lens,
-            frozen=self.faults.frozen,
-        )
+        self._own.set_error(kind, offset_m, first_look_only)
 
     def _take_answer(self) -> None:
         answer = self._received()
-        self._asked = False
-        if isinstance(answer, Answer):
-            self.looked_s.append(answer.looked_s)
-            self._pending.append(self._displaced(answer.frame))
-
-    def _displaced(self, frame: PerceptionFrame) -> PerceptionFrame:
-        """The frame with the errors that were injected into what it tells."""
-        odom_R_camera = self._believed().odom_T_camera[:3, :3]
-        told = []
-        for seen in frame.detections:
-            offset = self.faults.offset_m(seen.category, seen.kind, frame.stamp_s)
-            color = self.faults.color_of(seen.category, seen.kind, seen.color)
-            if offset.any() or color != seen.color:
-                moved = poses.transform(np.eye(3), odom_R_camera.T @ offset) @ seen.camera_T_object
-                seen = replace(seen, camera_T_object=moved, color=color)
-            told.append(seen)
-        return replace(frame, detections=tuple(told))
+        self._under_way.popleft().take(answer if isinstance(answer, Answer) else None)
 
     def _ask(self, question: object) -> Any:
         self._pipe.send(question)
@@ -203,6 +142,11 @@ class CameraPerception:
         if isinstance(answer, Exception):
             raise answer
         return answer
+
+
+def _standing(believed: Callable[[], Believed], odom_T_camera: Transform) -> Believed:
+    """What the robot knows, for a camera that does not move with it."""
+    return Believed(odom_T_camera, believed().joints)
 
 
 def picture_camera(robot: RobotData) -> DepthCamera:

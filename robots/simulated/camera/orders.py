@@ -76,10 +76,11 @@ class Shot(Sealed):
         stamp_s, sequence: Of the frame.
         state: Where everything really is.
         joints: Where the encoders have the robot's joints, in the order of ``RobotDescription.actuated``.
-        odom_T_camera: Where the robot believes the camera to be, shape (4, 4).
+        odom_T_camera: Where the camera is believed to be, shape (4, 4).
         light: Of the scene.
         faults: Of the camera.
         frozen: Whether the camera gives the picture before once more.
+        camera: Which one: 0 is the robot's own, the others are the scene's, in their order from 1.
     """
 
     stamp_s: float
@@ -90,6 +91,7 @@ class Shot(Sealed):
     light: LightKind
     faults: LensFaults
     frozen: bool = False
+    camera: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,17 +8,20 @@ other (``Shot``). It ends when whoever asks does.
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
 import cv2
 import numpy as np
 
+from kinematics.geometry.poses import Transform
 from robots.clock import ProcessorClock
+from robots.interface.depth_camera import DepthCamera
 from robots.models.description import load_robot
 from robots.perception.detector import PerceptionFrame
 from robots.perception.rgbd.eyes import Eyes
-from robots.perception.rgbd.picture import Picture
+from robots.perception.rgbd.picture import Colors, Depths, Picture
 from robots.perception.rgbd.watch import TOLD, PictureWatch
 from robots.simulated.camera.lens import Lens
 from robots.simulated.camera.orders import Answer, Setup, Shot
@@ -27,6 +30,25 @@ from robots.simulated.camera.studio import Studio
 _OWN_M = 0.03
 _OWN_PX = 13
 """The robot's own outline is widened by so much: encoders, calibration and meshes err."""
+
+
+@dataclass(slots=True)
+class _Post:
+    """One camera.
+
+    Attributes:
+        camera: What it is like.
+        world_T_camera: Where its calibration has it; None for the robot's own, which moves with it.
+        lens: Its errors.
+        watch: Whether its pictures are worth looking at.
+        last: Colour and depth of the picture before.
+    """
+
+    camera: DepthCamera
+    world_T_camera: Transform | None
+    lens: Lens
+    watch: PictureWatch = field(default_factory=PictureWatch)
+    last: tuple[Colors, Depths] | None = None
 
 
 class CameraProcess:
@@ -39,12 +61,17 @@ class CameraProcess:
             RobotsError: There is no such robot, it has no camera, or nothing can be drawn here.
         """
         robot = load_robot(setup.robot)
-        self._camera = robot.hardware.cameras[0]
-        self._studio = Studio(robot, setup.scene, (self._camera.width_px, self._camera.height_px))
-        self._lens = Lens(self._camera, (setup.seed, 0))
-        self._eyes, self._watch = _eyes(setup), PictureWatch()
+        fixed = setup.scene.cameras
+        cameras = [robot.hardware.cameras[0], *(one.lens for one in fixed)]
+        largest = max(one.width_px for one in cameras), max(one.height_px for one in cameras)
+        self._studio = Studio(robot, setup.scene, largest)
+        places = [None, *(one.world_T_camera for one in fixed)]
+        self._posts = [
+            _Post(camera, place, Lens(camera, (setup.seed, number)))
+            for number, (camera, place) in enumerate(zip(cameras, places, strict=True))
+        ]
+        self._eyes = _eyes(setup)
         self._processor = ProcessorClock()
-        self._last: tuple[Any, Any] | None = None
 
     @property
     def labels(self) -> frozenset[str] | None:
@@ -53,16 +80,18 @@ class CameraProcess:
 
     def take(self, shot: Shot) -> Picture:
         """Draw one picture, as the camera gives it."""
-        studio, camera = self._studio, self._camera
+        studio, post = self._studio, self._posts[shot.camera]
+        camera = post.camera
         studio.place(shot.state)
-        if shot.frozen and self._last is not None:
-            color, depth = self._last
+        if shot.frozen and post.last is not None:
+            color, depth = post.last
         else:
-            pose = studio.frame_pose(camera.frame) @ self._lens.place_error(shot.faults)
+            told = studio.frame_pose(camera.frame) if post.world_T_camera is None else post.world_T_camera
+            pose = told @ post.lens.place_error(shot.faults)
             exact = studio.draw(camera, pose, shot.light == "side")
-            color, depth = self._lens.spoil(*exact, shot.light, shot.sequence, shot.faults)
-        self._last = color, depth
-        body = studio.draw_body(camera, shot.joints)
+            color, depth = post.lens.spoil(*exact, shot.light, shot.sequence, shot.faults)
+        post.last = color, depth
+        body = studio.draw_body(camera, shot.joints, post.world_T_camera)
         own = ((body > 0.0) & ((depth > body - _OWN_M) | (depth <= 0.0))).astype(np.uint8)
         widened = cv2.dilate(own, np.ones((_OWN_PX, _OWN_PX), np.uint8)) > 0
         return Picture(camera, color, depth, widened, shot.odom_T_camera, shot.stamp_s)
@@ -71,7 +100,7 @@ class CameraProcess:
         """Take a picture and look at it."""
         picture = self.take(shot)
         began = self._processor.now_s()
-        trouble = self._watch.judge(picture)
+        trouble = self._posts[shot.camera].watch.judge(picture)
         if trouble is None:
             frame = self._eyes.detect(picture, shot.sequence)
         else:

@@ -31,6 +31,10 @@ _SIDE_LIGHT = (0.15, 0.15, 0.15), (0.75, 0.75, 0.75), (0.15, 0.85, -0.5)
 class Studio:
     """One world to be drawn, and the OpenGL context to draw it with.
 
+    Args:
+        robot, scene: What is drawn.
+        size: Of the largest picture, px: width and height.
+
     Raises:
         RenderingUnavailableError: No OpenGL library works here.
     """
@@ -43,7 +47,6 @@ class Studio:
             add_picture(spec, item)
         for person in scene.people:
             hidden |= add_person_looks(spec, person)
-        self._width, self._height = size
         spec.visual.global_.offwidth, spec.visual.global_.offheight = size
         spec.visual.quality.offsamples = 0
         self._people = tuple(filter(keeps_forearm, scene.people))
@@ -92,26 +95,31 @@ class Studio:
         return self._draw(self._data, self._all, camera, world_T_camera)
 
     def draw_body(
-        self, camera: DepthCamera, joints: Array, camera_error: Transform | None = None
+        self, camera: DepthCamera, joints: Array, world_T_camera: Transform | None = None
     ) -> NDArray[np.float32]:
-        """Depth of the robot alone, as its encoders have it; 0 where it is not."""
+        """Depth of the robot alone, as its encoders have it; 0 where it is not.
+
+        Args:
+            camera: Who looks.
+            joints: In the order of ``RobotDescription.actuated``.
+            world_T_camera: Where a camera is that does not move with the robot.
+        """
         data = self._body
         data.qpos[:] = self._data.qpos
         data.qpos[self._actuated] = joints
         mujoco.mj_kinematics(self._model, data)
-        frame = data.body(camera.frame)
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = frame.xmat.reshape(3, 3), frame.xpos
-        if camera_error is not None:
-            pose = pose @ camera_error
-        return self._draw(data, self._self, camera, pose)[1]
+        if world_T_camera is None:
+            frame = data.body(camera.frame)
+            world_T_camera = np.eye(4)
+            world_T_camera[:3, :3], world_T_camera[:3, 3] = frame.xmat.reshape(3, 3), frame.xpos
+        return self._draw(data, self._self, camera, world_T_camera)[1]
 
     def geoms_in_view(self, camera: DepthCamera, world_T_camera: Transform) -> NDArray[np.int32]:
         """Which geom each pixel shows, -1 where none; for who judges perception."""
         flags = self._scene.flags
         self._update(self._data, self._all, camera, world_T_camera)
         flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = flags[mujoco.mjtRndFlag.mjRND_IDCOLOR] = True
-        color, _ = self._read()
+        color, _ = self._read(camera)
         flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = flags[mujoco.mjtRndFlag.mjRND_IDCOLOR] = False
         told = color.astype(np.int32) @ np.array([1, 256, 65536], dtype=np.int32)
         geoms = np.full(self._scene.ngeom + 1, -1, dtype=np.int32)
@@ -134,7 +142,7 @@ class Studio:
         world_T_camera: Transform,
     ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         self._update(data, option, camera, world_T_camera)
-        return self._read()
+        return self._read(camera)
 
     def _update(
         self,
@@ -151,8 +159,8 @@ class Studio:
             draw_forearms(self._scene, self._model, data, self._people)
         flags = self._scene.flags
         flags[mujoco.mjtRndFlag.mjRND_SHADOW] = flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
-        across = 0.5 * self._width / camera.focal_px * NEAR_M
-        up = 0.5 * self._height / camera.focal_px * NEAR_M
+        across = 0.5 * camera.width_px / camera.focal_px * NEAR_M
+        up = 0.5 * camera.height_px / camera.focal_px * NEAR_M
         for view in self._scene.camera:
             view.pos, view.forward = world_T_camera[:3, 3], world_T_camera[:3, 2]
             view.up = -world_T_camera[:3, 1]
@@ -160,10 +168,10 @@ class Studio:
             view.frustum_center, view.frustum_width = 0.0, across
             view.frustum_bottom, view.frustum_top = -up, up
 
-    def _read(self) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        color = np.zeros((self._height, self._width, 3), dtype=np.uint8)
-        raw = np.zeros((self._height, self._width), dtype=np.float32)
-        room = mujoco.MjrRect(0, 0, self._width, self._height)
+    def _read(self, camera: DepthCamera) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        color = np.zeros((camera.height_px, camera.width_px, 3), dtype=np.uint8)
+        raw = np.zeros((camera.height_px, camera.width_px), dtype=np.float32)
+        room = mujoco.MjrRect(0, 0, camera.width_px, camera.height_px)
         mujoco.mjr_render(room, self._scene, self._drawing)
         mujoco.mjr_readPixels(color, raw, room, self._drawing)
         depth = NEAR_M * FAR_M / (FAR_M - raw * (FAR_M - NEAR_M))

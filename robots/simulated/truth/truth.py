@@ -119,9 +119,13 @@ class SimulatorTruth:
         """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
         that solid before it meets anything else (robot included), shape (n,).
         """
+        self._physics.refresh()
+        return self.visible_from(self._physics.data.xpos[self._camera_body].copy(), name, points)
+
+    def visible_from(self, start: Array, name: str, points: Array) -> NDArray[np.bool_]:
+        """The same from any place in the world, shape (3,)."""
         physics = self._physics
         physics.refresh()
-        start = physics.data.xpos[self._camera_body].copy()
         geom = -2 if any(person.name == name for person, _ in self._people) else physics.scene_geom_id(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]

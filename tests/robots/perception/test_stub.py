@@ -387,3 +387,22 @@ def test_a_table_can_be_told_at_a_wrong_height():
     height_m = (bench.truth.world_T_camera() @ frame.detections[0].camera_T_object)[2, 3]
 
     assert height_m == pytest.approx(0.812)
+
+
+@pytest.mark.requirement("P3")
+def test_a_calibration_is_wrong_for_everything_alike_and_declared_as_that():
+    model = replace(EXACT, calibration_m=0.005)
+    off = []
+    for seed in range(40):
+        other = thing("ball", (1.2, 0.3, 1.0), "ball", "blue", Ball(0.04))
+        bench = Bench(thing(), other, model=model, seed=seed)
+        frame = bench.frames(0.2)[-1]
+        world = bench.truth.world_T_camera()
+        places = {one.kind: (world @ one.camera_T_object)[:3, 3] for one in frame.detections}
+        true = {solid.kind: solid.world_T_object[:3, 3] for solid in bench.truth.solids()}
+        wrong = [places[kind] - true[kind] for kind in true]
+        assert np.allclose(wrong[0], wrong[1])
+        assert np.allclose(frame.detections[0].error.shared_m2, 0.005**2 * np.eye(3))
+        off.append(wrong[0])
+
+    assert 0.004 < np.std(off) < 0.006

@@ -71,8 +71,8 @@ class FusionRecord:
 class FusionSummary:
     """What the episodes say together."""
 
-    def __init__(self, seed: int, bias_m: float, records: Sequence[FusionRecord]) -> None:
-        self.seed, self.bias_m, self.records = seed, bias_m, records
+    def __init__(self, seed: int, own_m: float, records: Sequence[FusionRecord]) -> None:
+        self.seed, self.own_m, self.records = seed, own_m, records
 
     def bars(self) -> list[Bar]:
         """The demands."""
@@ -97,7 +97,7 @@ class FusionSummary:
 
     def figures(self) -> dict[str, float]:
         """Numbers worth knowing."""
-        told: dict[str, float] = {"declared error, mm": 1e3 * self.bias_m}
+        told: dict[str, float] = {"declared error of each thing's own, mm": 1e3 * self.own_m}
         for kind in sorted({record.planted for record in self.records}):
             of_kind = [record for record in self.records if record.planted == kind]
             told[f"{kind}, of {len(of_kind)}, noticed"] = float(sum(bool(one.noticed) for one in of_kind))

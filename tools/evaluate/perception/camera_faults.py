@@ -13,7 +13,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.scenes.light import LIGHT_KINDS, Light, LightChange
 from robots.scenes.scene_description import SceneDescription, SceneItem
-from robots.simulated.camera.camera_perception import CameraFaults
+from robots.simulated.camera.feed import CameraFaults
 from robots.simulated.camera.orders import LensFaults
 
 MISCALIBRATED_RAD = math.radians(2.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
@@ -22,19 +22,14 @@ from robots.perception.rgbd.picture import Picture
 from robots.perception.surface import surface_points
 from robots.scenes.light import LightKind
 from robots.scenes.scene_description import SceneDescription, SceneItem
-from robots.simulated.body.geom_roles import in_simulator
-from robots.simulated.body.physics import Physics
-from robots.simulated.camera.lens import Lens
-from robots.simulated.camera.orders import LensFaults, WorldState
-from robots.simulated.camera.studio import Studio
-from tools.evaluate.perception.scenes import Look, look
+from tools.evaluate.perception.scenes import look
+from tools.evaluate.perception.stand import Stand, world_T_odom
 
 VISIBLE = 0.4
 """A thing counts when so much of its outline is in sight."""
 _RIGHT_M = 0.015
 """A thing that is told farther off than this is not where it is told to be."""
 _SAME_M = 0.06
-_OWN_PX = 13
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,54 +104,18 @@ class Bench:
     def judge(self, seed: int, light: LightKind | None = None) -> PictureRecord:
         """Take the picture of a seed, look at it, and compare."""
         what = look(seed, light)
-        picture, ids, world_T_told, owner = self._take(what, seed)
+        stand = Stand(self.robot, what, seed)
+        (picture, ids, world_T_told), owner = stand.taken(), stand.owner
+        stand.close()
         eyes = Eyes(furniture_map(what.scene, np.random.default_rng([seed, 77])))
         began = time.process_time()
         seen = eyes.look(picture)
         looked_s = time.process_time() - began
         self.last = picture, seen, ids
-        odom_T_world = poses.inverse(_world_T_odom(what.scene))
+        odom_T_world = poses.inverse(world_T_odom(what.scene))
         things = _compared(what.scene, seen, ids, owner, picture, world_T_told, odom_T_world)
         table = _table_error(what.scene, seen, odom_T_world)
         return PictureRecord(seed, what.kind, what.scene.light.kind, looked_s, tuple(things), table)
-
-    def _take(self, what: Look, seed: int) -> tuple[Picture, NDArray[np.int32], Transform, dict[int, str]]:
-        description, camera = self.robot.description, self.robot.hardware.cameras[0]
-        head = description.camera
-        home = {**description.home, head.tilt_joint: what.tilt_rad, head.pan_joint: what.pan_rad}
-        if head.lean_joint is not None:
-            home[head.lean_joint] = what.lean_rad
-        robot = replace(self.robot, description=replace(description, home=home))
-        physics = Physics(robot, what.scene)
-        studio = Studio(robot, what.scene, (camera.width_px, camera.height_px))
-        data = physics.data
-        studio.place(WorldState(data.qpos, data.mocap_pos, data.mocap_quat))
-        told = studio.frame_pose(camera.frame)
-        lens = Lens(camera, (seed, 0))
-        real = told @ lens.place_error(LensFaults())
-        light = what.scene.light.kind
-        exact = studio.draw(camera, real, light == "side")
-        color, depth = lens.spoil(*exact, light, 0, LensFaults())
-        ids = studio.geoms_in_view(camera, real)
-        body = studio.draw_body(camera, np.array(data.qpos[physics.joint_qpos]))
-        own = ((body > 0.0) & ((depth > body - 0.03) | (depth <= 0.0))).astype(np.uint8)
-        widened = cv2.dilate(own, np.ones((_OWN_PX, _OWN_PX), np.uint8)) > 0
-        model = studio.model
-        owner = {
-            geom: item.name
-            for item in what.scene.objects
-            for body_id in (model.body(in_simulator(item.name)).id,)
-            for geom in range(model.ngeom)
-            if int(model.geom_bodyid[geom]) == body_id
-        }
-        studio.close()
-        odom_T_camera = poses.inverse(_world_T_odom(what.scene)) @ told
-        return Picture(camera, color, depth, widened, odom_T_camera, 0.0), ids, told, owner
-
-
-def _world_T_odom(scene: SceneDescription) -> Transform:
-    start = scene.robot_start
-    return poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
 
 
 def _compared(

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.light import Light, LightKind
 from robots.scenes.scene_description import Furniture, SceneDescription, SceneItem
 from robots.scenes.scene_words import COLORS
@@ -19,6 +20,8 @@ LIGHTS: tuple[LightKind, ...] = ("bright", "dim", "warm", "side")
 GAP_M = (0.02, 0.08)
 """Between things of a varied table."""
 _COUNT = (3, 9)
+_ROOM_CAMERA_RAD, _ROOM_CAMERA_M, _ROOM_CAMERA_UP_M = (-2.0, 2.0), (0.8, 1.8), (0.6, 1.4)
+"""Of a camera in the room: heading from the table, 0 away from the robot; how far away, how high above it."""
 _HEAD_TILT_RAD, _HEAD_PAN_RAD, _LEAN_RAD = (0.60, 0.80), (-0.25, 0.25), (0.0, 0.30)
 
 
@@ -56,6 +59,20 @@ def look(seed: int, light: LightKind | None = None) -> Look:
     scene = replace(scene, light=Light(drawn if light is None else light))
     tilt, pan, lean = (float(rng.uniform(*span)) for span in (_HEAD_TILT_RAD, _HEAD_PAN_RAD, _LEAN_RAD))
     return Look(scene, kind, tilt, pan, lean)
+
+
+def watched(what: Look, seed: int) -> Look:
+    """The same look, in a room with a camera somewhere beyond or beside the table, which looks at it."""
+    rng = episode_rng(seed, 42)
+    table = what.scene.furniture[0]
+    middle = np.array([*table.position_m, table.size_m[2]])
+    heading, away = rng.uniform(*_ROOM_CAMERA_RAD), rng.uniform(*_ROOM_CAMERA_M)
+    up = rng.uniform(*_ROOM_CAMERA_UP_M)
+    place = middle + np.array([away * math.cos(heading), away * math.sin(heading), up])
+    aim = middle + np.array([*rng.uniform(-0.1, 0.1, 2), 0.0])
+    (x, y, z), (to_x, to_y, to_z) = place.tolist(), aim.tolist()
+    camera = FixedCamera("room camera", (x, y, z), (to_x, to_y, to_z))
+    return replace(what, scene=replace(what.scene, cameras=(camera,)))
 
 
 def _varied(rng: np.random.Generator, table: Furniture) -> list[SceneItem]:

@@ -15,6 +15,7 @@ from tools.evaluate.harness.execution import run_each
 from tools.evaluate.perception.drawing import draw_calibration, draw_worst
 from tools.evaluate.perception.judge import Bench, PictureRecord
 from tools.evaluate.perception.summary import PerceptionSummary
+from tools.evaluate.perception.two_cameras import run_two_cameras
 
 PERCEPTION_SUITE = "perception"
 _A_RUN = 10
@@ -31,6 +32,8 @@ class PictureOrder:
 
 def run_perception(options: argparse.Namespace, messages: Console) -> int:
     """Judge pictures; 0 when every demand is met, 1 when not."""
+    if options.cameras == 2:
+        return run_two_cameras(options, messages)
     seeds = range(options.seed, options.seed + options.episodes)
     orders = [PictureOrder(tuple(seeds[i : i + _A_RUN]), options.light) for i in range(0, len(seeds), _A_RUN)]
     records: list[PictureRecord] = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -98,19 +97,6 @@ def compared(scene: SceneDescription, picture: Picture, eyes: Eyes, seed: int) -
                 light=scene.light.kind,
             )
         )  # fmt: skip
-    return records
-
-
-def run(robot: RobotData, count: int, seed: int) -> list[NameRecord]:
-    """Judge some tables, a new set of packages after each ``SCENES_A_SET``."""
-    records: list[NameRecord] = []
-    with tempfile.TemporaryDirectory() as place:
-        shelf = None
-        for k in range(count):
-            if k % SCENES_A_SET == 0:
-                shelf = stock(robot, seed + k, Path(place))
-            assert shelf is not None
-            records += judged(robot, shelf, seed + k)
     return records
 
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from kinematics.geometry import poses
 from kinematics.ik.arm_frames import elbow_frame
 from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.scene.support_of import support_of
-from robots.perception.fusion.cameras import HEAD, Seen
+from kinematics.scene.support_of import support_of, top_m
+from robots.perception.fusion.cameras import HEAD, PlacedCamera, Seen
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import seen_to_float, standing_on_tops
 from trees.beliefs.openings.moved_parts import without_moved_parts
@@ -98,7 +99,7 @@ def folded_look(
     """
     world, policy = toolbox.world, toolbox.policy
     seen = seen_in(views)
-    _tell_what_cameras_say(toolbox, seen)
+    _tell_what_cameras_say(toolbox, seen, {view.source: view for view in views})
     told = not_in_hand(toolbox, seen.estimates)
     _tell_what_floats(toolbox, told)
     estimates = standing_on_tops(told)
@@ -115,22 +116,42 @@ def folded_look(
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
     )
-    update = _with_what_looks_told(toolbox, update)
+    update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)
+    world.note_top_errors(update.seen)
     if own:
         world.note_glimpse(glimpse)
     return update
 
 
-def _tell_what_cameras_say(toolbox: Toolbox, seen: Seen) -> None:
-    """Say where cameras contradict each other; the robot's own then counts, which goes where its hands go."""
+def _tell_what_cameras_say(toolbox: Toolbox, seen: Seen, newest: Mapping[str, View]) -> None:
+    """Say where cameras contradict each other; the robot's own then counts, which goes where its hands go.
+
+    A camera that shows nothing is blind where it should show what another one does.
+    """
     for thing, innovation in seen.differing:
         message = f"the {innovation.source} shows the {words_for(thing)} elsewhere than my own camera"
         failure = Failure.postcondition(message, apart_m=innovation.size, usual_m=innovation.sigma)
         tell_disagreement(toolbox, failure.because(Reason.CAMERAS_DIFFER))
     for name in seen.blind:
+        if not _should_show(toolbox, newest[name], seen.estimates):
+            continue
         failure = Failure.postcondition(f"the {name} shows nothing of what another camera shows")
         tell_disagreement(toolbox, failure.because(Reason.CAMERA_BLIND))
+
+
+def _should_show(toolbox: Toolbox, view: View, shown: Iterable[ObjectEstimate]) -> bool:
+    """Whether something is well within a camera's pictures, by where the others show it."""
+    own = toolbox.model.description.camera
+    placed = next((camera for camera in toolbox.cameras if camera.name == view.source), None)
+    camera = placed or PlacedCamera(
+        HEAD,
+        toolbox.detector,
+        view.odom_T_camera,
+        (own.horizontal_fov_rad, own.vertical_fov_rad),
+        own.range_m,
+    )
+    return any(camera.should_show(one.odom_T_object[:3, 3]) for one in shown)
 
 
 def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> None:
@@ -146,6 +167,31 @@ def _tell_what_floats(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> 
             message = f"what is on the {top} seems to stand {where} its top: one is seen at a wrong height"
             failure = Failure.postcondition(message, above_m=above_m, usual_m=innovation.sigma)
             tell_disagreement(toolbox, failure.because(Reason.SEEN_TO_FLOAT))
+
+
+def _with_felt_tops(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
+    """Tops that a hand has felt elsewhere than they are seen, at the height that both agree on.
+
+    What this look shows on them is raised with them.
+    """
+    scene = update.scene
+    for name, felt in toolbox.world.felt_tops.items():
+        estimate = update.seen.get(name)
+        if not felt.contradicts or estimate is None or estimate.error is None or name not in scene.objects:
+            continue
+        top = scene.objects[name]
+        variance_m2 = float(estimate.error.covariance_m2[2, 2])
+        raised_m = felt.fused(top_m(top), variance_m2) - top_m(top)
+        gap_m = toolbox.policy.support_gap_m
+        on_it = [
+            item
+            for item in map(scene.objects.__getitem__, update.seen)
+            if item.movable and (below := support_of(item, scene, gap_m)) is not None and below.name == name
+        ]
+        raised = poses.translation(0.0, 0.0, raised_m)
+        moved = [replace(item, world_T_object=raised @ item.world_T_object) for item in (top, *on_it)]
+        scene = scene.with_objects({**scene.objects, **{item.name: item for item in moved}}.values())
+    return update if scene is update.scene else SceneUpdate(scene, update.seen)
 
 
 def _with_what_looks_told(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:

@@ -44,8 +44,8 @@ class GatheringLeaf(Leaf):
     """
 
     _views: list[View]
-    _trouble: PerceptionFrame | None
-    _well_s: float
+    _troubles: dict[str, PerceptionFrame]
+    _well_s: dict[str, float]
 
     def begin(self) -> None:
         """Forget earlier frames."""
@@ -54,13 +54,12 @@ class GatheringLeaf(Leaf):
         self._placed: dict[str, list[View]] = {camera.name: [] for camera in self.toolbox.cameras}
         self._watches = {name: FrameWatch(now_s) for name in (HEAD, *self._placed)}
         self._faults: dict[str, Failure] = {}
-        self._trouble, self._well_s = None, self._started_s
+        self._troubles, self._well_s = {}, {}
 
-    @property
-    def trouble(self) -> str | None:
-        """What has been wrong with every picture for too long; None while there are good ones."""
-        frame = self._trouble
-        if frame is None or frame.stamp_s - self._well_s < _BAD_S:
+    def trouble(self, source: str = HEAD) -> str | None:
+        """What has been wrong with every picture of a camera for too long; None while there are good ones."""
+        frame = self._troubles.get(source)
+        if frame is None or frame.stamp_s - self._well_s.get(source, self._started_s) < _BAD_S:
             return None
         return frame.trouble
 
@@ -86,12 +85,11 @@ class GatheringLeaf(Leaf):
             return None
         if views and frame.sequence <= views[-1].frame.sequence:
             return None
-        if source != HEAD:
-            return None if frame.trouble is not None else frame
         if frame.trouble is not None:
-            self._trouble = frame
+            self._troubles[source] = frame
             return None
-        self._trouble, self._well_s = None, frame.stamp_s
+        self._troubles.pop(source, None)
+        self._well_s[source] = frame.stamp_s
         return frame
 
     def _note(self, source: str, fault: Fault) -> None:
@@ -116,23 +114,38 @@ class LookLeaf(GatheringLeaf):
         raise NotImplementedError
 
     def step(self) -> Status | Failure:
-        """Gather until there are enough: of the robot's own camera, or of another one when that hangs."""
+        """Gather until there are enough: of the robot's own camera, or of another one when that fails."""
         self.gather()
-        if (trouble := self.trouble) is not None:
-            return Failure(FailureKind.EXECUTION, f"the robot cannot see: {trouble}").because(
-                Reason.CANNOT_SEE
-            )
         wanted = self.toolbox.policy.look_frames
         others = [view for views in self._placed.values() for view in views]
         if len(self._views) >= wanted:
+            self._tell_covered()
             return self.judge([*others, *self._views])
-        if HEAD in self._faults:
+        if (failure := self._own_failure()) is not None:
             if any(len(views) >= wanted for views in self._placed.values()):
+                self._tell_covered()
                 return self.judge(others)
-            if self.elapsed_s > self.deadline_s:
-                return self._faults[HEAD]
+            fails = [name for name in self._placed if name in self._faults or self.trouble(name) is not None]
+            if self.elapsed_s > self.deadline_s or (
+                HEAD not in self._faults and len(fails) == len(self._placed)
+            ):
+                return failure
         self.feedback_message = f"{len(self._views)} of {wanted} frames"
         return RUNNING
+
+    def _own_failure(self) -> Failure | None:
+        """Why the robot's own camera is of no use now; None while it may be."""
+        if (trouble := self.trouble()) is not None:
+            message = f"the robot cannot see: {trouble}"
+            return Failure(FailureKind.EXECUTION, message).because(Reason.CANNOT_SEE)
+        return self._faults.get(HEAD)
+
+    def _tell_covered(self) -> None:
+        """Say which of several cameras has shown nothing in this look, each once."""
+        for source, views in ((HEAD, self._views), *self._placed.items()):
+            if not views and (frame := self._troubles.get(source)) is not None:
+                failure = Failure(FailureKind.EXECUTION, f"the {source} shows nothing: {frame.trouble}")
+                tell_disagreement(self.toolbox, failure.because(Reason.CAMERA_BLIND).at(self.where))
 
     @property
     def deadline_s(self) -> float:

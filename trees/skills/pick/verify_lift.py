@@ -13,7 +13,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.planning_scene import AttachedBody
-from robots.perception.fusion.hand_senses import compare_places, place_felt
+from robots.perception.fusion.gaussian import Innovation
+from robots.perception.fusion.hand_senses import compare_places, place_by_hand, place_felt
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.recognition import nearest_sighting
 from trees.failures import Failure, Number, Reason
@@ -38,6 +39,9 @@ class VerifyLift(GatheringLeaf):
     and does not move there. When it cannot be seen, the gripper has to hold on for longer, and the evidence
     says that it was not seen. Meanwhile the mass of the object is found from the torques of the arm; later
     motions are planned, checked and carried out with that mass in the hand.
+
+    Where the hand feels the object elsewhere than the camera shows it, it is looked at again; if that shows
+    the same, people are told, and the object is taken to be where the hand feels it.
     """
 
     INPUT_PORTS = ports(grasp=Grasp, target=Target)
@@ -56,11 +60,15 @@ class VerifyLift(GatheringLeaf):
     def deadline_s(self) -> float:
         """The longest hold that the policy may ask for, and the contract's allowance."""
         settings = self.toolbox.policy.of(PickSettings)
-        return settings.hold_s * settings.unseen_hold_factor + self.CONTRACT.deadline_s
+        looking_again_s = settings.hold_s if self._looked_again else 0.0
+        return settings.hold_s * settings.unseen_hold_factor + looking_again_s + self.CONTRACT.deadline_s
+
+    _looked_again = False
 
     def begin(self) -> None:
         """Start to watch."""
         super().begin()
+        self._looked_again, self._since_s = False, 0.0
         self._lost_since_s: float | None = None
         self._weighing = self._scales()
         self._centre = HeldCentre(self._weighing)
@@ -73,8 +81,9 @@ class VerifyLift(GatheringLeaf):
         self._weigh()
         self.gather()
         settings = self.toolbox.policy.of(PickSettings)
-        if self.elapsed_s < settings.hold_s:
-            self.feedback_message = f"held for {self.elapsed_s:.1f} of {settings.hold_s:.1f} s"
+        until_s = self._since_s + settings.hold_s
+        if self.elapsed_s < until_s:
+            self.feedback_message = f"held for {self.elapsed_s:.1f} of {until_s:.1f} s"
             return RUNNING
         seen = self._seen()
         if isinstance(seen, Failure):
@@ -84,7 +93,13 @@ class VerifyLift(GatheringLeaf):
             return RUNNING
         if self._lost_since_s is not None:
             return RUNNING  # never end on a doubtful reading
-        return self._succeed(seen)
+        apart = self._felt_apart() if seen else None
+        if apart is not None and not self._looked_again:
+            self._looked_again, self._since_s = True, self.elapsed_s
+            self._views = []
+            self.feedback_message = "felt elsewhere than it is seen; looking again"
+            return RUNNING
+        return self._succeed(seen, apart)
 
     def _scales(self) -> HeldMass:
         """What weighs it, on a robot that carries what was weighed in the other hand."""
@@ -161,33 +176,39 @@ class VerifyLift(GatheringLeaf):
                 )
         return numbers
 
-    def _compare_places(self) -> dict[str, Number]:
-        """Where the camera sees it and where fingers and weight feel it; what to note where these differ.
-
-        The hand's word counts, for it holds the thing: the pick is done, and people are told that the camera
-        is not to be trusted.
-        """
-        target: Target = self.get_input("target")
+    def _felt_apart(self) -> Innovation | None:
+        """By how much it is seen elsewhere than fingers and weight feel it, where that is too much."""
         found = self._sighting(self._views)
         if found is None:
-            return {}
+            return None
         view = self._views[-1]
         felt = place_felt(self._centre)
         innovation = compare_places(felt, found, self._odom_T_tcp(view), view.frame.stamp_s)
-        if innovation is None or not innovation.disagrees:
-            return {}
+        return innovation if innovation is not None and innovation.disagrees else None
+
+    def _believe_the_hand(self, apart: Innovation) -> None:
+        """Take the thing to be where the hand feels it, which holds it, and say that the camera errs."""
+        target, body, scene = self.get_input("target"), self._body(), self.toolbox.world.scene
         failure = Failure.postcondition(
-            f"the hand feels the {target.name} {innovation.size * 1e3:.0f} mm from where the camera shows it",
-            apart_m=innovation.size,
-            usual_m=innovation.sigma,
+            f"the hand feels the {target.name} {apart.size * 1e3:.0f} mm from where the camera shows it",
+            apart_m=apart.size,
+            usual_m=apart.sigma,
         )
         tell_disagreement(self.toolbox, failure.because(Reason.FELT_ELSEWHERE).at(self.where))
-        return {"felt_apart_m": innovation.size}
+        tcp_T_object = body.frame_T_object.copy()
+        tcp_T_object[:3, 3] = place_by_hand(place_felt(self._centre), tcp_T_object[:3, 3])
+        q = self.toolbox.sensing.state().q
+        freed = scene.with_detached(target.name, self.toolbox.model.frame_pose(q, body.frame) @ tcp_T_object)
+        self.toolbox.world.update(
+            freed.with_attached(target.name, body.frame, tcp_T_object, body.touch_links, body.mass_kg)
+        )
 
-    def _succeed(self, seen: dict[str, float]) -> Status:
+    def _succeed(self, seen: dict[str, float], apart: Innovation | None) -> Status:
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
         world, mass_kg = self.toolbox.world, self._weighing.mass_kg
+        if apart is not None:
+            self._believe_the_hand(apart)
         world.update(world.scene.with_held_mass(self.get_input("target").name, mass_kg))
         evidence: dict[str, Number] = {
             "hand": grasp.hand,
@@ -197,7 +218,7 @@ class VerifyLift(GatheringLeaf):
             "mass_kg": mass_kg,
             "seen": bool(seen),
             **{key: value for key, value in seen.items() if key != "off_m"},
-            **(self._compare_places() if seen else {}),
+            **({} if apart is None else {"felt_apart_m": apart.size}),
         }
         self._set_output("evidence", evidence)
         self.measured(**evidence)

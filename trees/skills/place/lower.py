@@ -10,8 +10,8 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
-from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from kinematics.scene.support_of import lowest_point_m, top_m
+from kinematics.scene.planning_scene import PlanningScene
+from kinematics.scene.support_of import top_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -23,6 +23,7 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import ports
 from trees.port_values import CheckedStep, Placement
 from trees.readings.touch_watch import TouchWatch
+from trees.skills.place.felt_top import foot_m, note_felt_top
 from trees.skills.place.settings import PlaceSettings
 
 # Two readings in a row: one may be a jolt.
@@ -54,6 +55,7 @@ class Lower(MotionLeaf):
         self._placement: Placement = self.get_input("placement")
         self._strong = 0
         self._touched_s: float | None = None
+        self._touched_m = 0.0
 
     def start(self) -> MotionHandle | Failure:
         """Start, unless the world model has changed since the check."""
@@ -84,6 +86,7 @@ class Lower(MotionLeaf):
         if self._strong >= _READINGS:
             self.measured(lift_n=lift_n)
             self._touched_s = self.elapsed_s
+            self._touched_m = foot_m(self.toolbox, self.get_input("held"))
             if not self._handle.finished:
                 self.toolbox.motion.cancel(self._handle, "what the hand holds stands")
             return RUNNING
@@ -115,6 +118,7 @@ class Lower(MotionLeaf):
                 above_m=early_m,
                 tolerance_m=self.toolbox.policy.of(PlaceSettings).early_touch_m,
             )
+        note_felt_top(self.toolbox, held, placement, self._touched_m)
         self._set_output("touched", True)
         self.feedback_message = "it stands"
         return DONE
@@ -144,6 +148,7 @@ class LowerFurther(PlannedMotionLeaf):
         self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
         self._strong = 0
         self._touched_s: float | None = None
+        self._touched_m = 0.0
 
     def goal(self) -> RetreatRequest | None:
         """A little straight down."""
@@ -151,7 +156,7 @@ class LowerFurther(PlannedMotionLeaf):
             return None
         toolbox, held, placement = self.toolbox, self.get_input("held"), self.get_input("placement")
         # it gets there only if nothing carries it before: a touch ends the motion
-        comes_to_m = self._lowest_m(held) - toolbox.policy.of(PlaceSettings).further_m
+        comes_to_m = foot_m(toolbox, held) - toolbox.policy.of(PlaceSettings).further_m
         scene = lowered_supports(toolbox.world.scene, placement.touches, comes_to_m)
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
@@ -164,18 +169,13 @@ class LowerFurther(PlannedMotionLeaf):
             ),
         )
 
-    def _lowest_m(self, held: HeldObject) -> float:
-        """Height of the lowest point of what the hand holds, by the encoders."""
-        model, q = self.toolbox.model, self.toolbox.sensing.state().q
-        pose = model.frame_pose(q, model.description.tcp_frames[held.hand]) @ held.tcp_T_object
-        return lowest_point_m(SceneObject(held.name, held.shape, pose))
-
     def step(self) -> Status | Failure:
         """Plan and check while the hand is felt at rest; then move and feel."""
         if self._touched_s is not None:
             if self.elapsed_s < self._touched_s + _BRAKING_S:
                 return RUNNING
             self._set_output("touched_now", True)
+            note_felt_top(self.toolbox, self.get_input("held"), self.get_input("placement"), self._touched_m)
             return DONE
         if self._handle is None:
             self._watch.feel_rest()
@@ -189,6 +189,7 @@ class LowerFurther(PlannedMotionLeaf):
         self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.of(PlaceSettings).touch_n else 0
         if self._strong >= _READINGS:
             self._touched_s = self.elapsed_s
+            self._touched_m = foot_m(self.toolbox, self.get_input("held"))
             if not self._handle.finished:
                 self.toolbox.motion.cancel(self._handle, "what the hand holds stands")
             return RUNNING

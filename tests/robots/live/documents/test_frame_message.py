@@ -14,7 +14,7 @@ from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
 
 POSE = poses.transform(poses.rotation_z(0.3), (0.1, -0.2, 1.5))
-ERROR = PositionError(np.diag([1e-5, 2e-5, 3e-5]), 1e-6 * np.eye(3), 0.02)
+ERROR = PositionError(np.diag([1e-5, 2e-5, 3e-5]), 1e-6 * np.eye(3), 0.02, np.diag([4e-6, 5e-6, 6e-6]))
 SEEN = (
     Detection("object", "cup", "red", POSE, Cylinder(0.03, 0.1), 0.9),
     Detection("object", "ball", None, POSE, Ball(0.03), 0.8),
@@ -41,4 +41,5 @@ def test_everything_that_was_seen_arrives(detection: Detection) -> None:
     if sent is not None:
         np.testing.assert_array_equal(came.lasting_m2, sent.lasting_m2)
         np.testing.assert_array_equal(came.noise_m2, sent.noise_m2)
+        np.testing.assert_array_equal(came.shared_m2, sent.shared_m2)
         assert came.size_share == sent.size_share

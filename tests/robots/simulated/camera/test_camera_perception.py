@@ -11,7 +11,9 @@ from robots.errors import DescriptionError, RenderingUnavailableError
 from robots.models.description import load_robot
 from robots.scenes.scene_file import load_scene
 from robots.simulated.camera import camera_perception
-from robots.simulated.camera.camera_perception import Believed, CameraPerception, require_camera
+from robots.simulated.camera.camera_perception import CameraPerception, require_camera
+from robots.simulated.camera.feed import Believed
+from robots.simulated.camera.orders import LensFaults
 from robots.simulated.world import build_world
 
 FRAME = "rgbd_rgb_optical_frame"
@@ -20,27 +22,28 @@ FRAME = "rgbd_rgb_optical_frame"
 class Stage:
     """A robot that stands still before a scene, and its camera."""
 
-    def __init__(self, seed=3):
-        robot, scene = load_robot("talos"), load_scene("tabletop")
+    def __init__(self, seed=3, scene="tabletop"):
+        robot, scene = load_robot("talos"), load_scene(scene)
         home = {**robot.description.home, "head_1_joint": 0.7, "torso_2_joint": 0.2}
         robot = replace(robot, description=replace(robot.description, home=home))
         self.world = build_world(robot, scene, np.random.default_rng(0))
         self.clock, model = ManualClock(), RobotModel(robot.description)
         pose = model.frame_pose(model.on_the_floor(home), FRAME)
         state = self.world.robot.read()
+        self.believed = lambda: Believed(pose, state.q)
         self.eyes = CameraPerception(
             self.world.physics,
             robot,
             scene,
             self.clock,
             np.random.default_rng(seed),
-            lambda: Believed(pose, state.q),
+            self.believed,
         )
 
-    def frames(self, count):
-        told = {}
+    def frames(self, count, eye=None):
+        told, eye = {}, eye or self.eyes
         while len(told) < count:
-            frame = self.eyes.latest()
+            frame = eye.latest()
             if frame is not None:
                 told[frame.sequence] = frame
             self.eyes.tick()
@@ -118,3 +121,67 @@ def test_without_opencv_one_line_says_what_to_install(monkeypatch):
 
     with pytest.raises(RenderingUnavailableError, match=r"humanoid-executive\[camera\]"):
         require_camera(load_robot("talos"))
+
+
+@pytest.fixture(scope="module")
+def watched():
+    return Stage(scene="watched")
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("P3")
+def test_a_camera_that_stands_in_the_room_shows_the_same_cup(watched):
+    (camera,) = watched.eyes.cameras
+    (frame,) = watched.frames(1, camera)
+
+    (cup,) = [seen for seen in frame.detections if (seen.color, seen.kind) == ("red", "cup")]
+    place = load_scene("watched").cameras[0].world_T_camera @ cup.camera_T_object
+    truth = watched.world.truth.world_T_object("red cup")
+    assert np.linalg.norm(place[:3, 3] - truth[:3, 3]) < 0.015
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("P3")
+def test_a_second_camera_changes_nothing_of_what_the_first_one_shows():
+    alone, both = Stage(), Stage()
+    for stage, cameras in ((alone, ()), (both, load_scene("watched").cameras)):
+        stage.eyes = CameraPerception(
+            stage.world.physics, load_robot("talos"), replace(load_scene("tabletop"), cameras=cameras),
+            stage.clock, np.random.default_rng(3), stage.believed,
+        )  # fmt: skip
+
+    first, second = alone.frames(2), both.frames(2)
+
+    for one, other in zip(first, second, strict=True):
+        for a, b in zip(one.detections, other.detections, strict=True):
+            assert np.array_equal(a.camera_T_object, b.camera_T_object)
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("P3")
+def test_one_of_two_cameras_is_covered_and_the_other_shows_what_it_showed(watched):
+    (camera,) = watched.eyes.cameras
+    camera.faults.lens = LensFaults(covered=True)
+    for _ in range(100):  # what was on its way comes yet
+        camera.latest()
+        watched.eyes.tick()
+        watched.clock.advance(0.002)
+    (frame,) = watched.frames(1, camera)
+    (own,) = watched.frames(1)
+    camera.faults.lens = LensFaults()
+
+    assert frame.trouble is not None
+    assert own.trouble is None
+    assert own.detections
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("P3")
+def test_the_camera_declares_how_wrong_it_may_be_and_what_all_things_share_of_that(watched):
+    (frame,) = watched.frames(1)
+
+    (cup,) = [seen for seen in frame.detections if (seen.color, seen.kind) == ("red", "cup")]
+    sigma = np.sqrt(np.diag(cup.error.covariance_m2))
+    assert (sigma > 0.0015).all()
+    assert (sigma < 0.008).all()
+    assert np.trace(cup.error.own_m2) < np.trace(cup.error.shared_m2)

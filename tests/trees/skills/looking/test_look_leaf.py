@@ -108,7 +108,7 @@ class Ceiling:
 
     def __init__(self, stage):
         self.stage, self.off_m, self.blind, self.frozen = stage, 0.0, False, None
-        self.odom_T_camera = poses.translation(0.3, 0.1, 2.0)
+        self.odom_T_camera = poses.transform(poses.rotation_x(np.pi), (0.5, 0.1, 2.2))
         self.placed = PlacedCamera("ceiling camera", self, self.odom_T_camera)
 
     def latest(self):
@@ -234,3 +234,59 @@ def test_a_picture_with_something_wrong_is_no_look_at_nothing(stage, monkeypatch
 
     assert stage.run(leaf) is Status.SUCCESS
     assert all(view.frame.trouble is None for view in leaf.views)
+
+
+def troubled(detector):
+    """A detector whose every picture has something wrong."""
+    fresh = detector.latest
+
+    class Troubled:
+        labels = None
+
+        def latest(self):
+            frame = fresh()
+            return None if frame is None else replace(frame, detections=(), trouble="the picture is too dark")
+
+    return Troubled()
+
+
+@pytest.mark.requirement("P3")
+def test_where_the_robots_own_camera_is_covered_it_is_told_and_a_look_goes_on_with_the_other(two_cameras):
+    leaf = Look("look", replace(two_cameras.toolbox, detector=troubled(two_cameras.fake.detector)))
+
+    assert two_cameras.run(leaf) is Status.SUCCESS
+    assert {view.source for view in leaf.views} == {"ceiling camera"}
+    assert reasons(two_cameras) == [Reason.CAMERA_BLIND]
+
+
+@pytest.mark.requirement("P3")
+def test_where_the_other_camera_is_covered_it_is_told_and_a_look_goes_on_with_the_robots_own(two_cameras):
+    placed = replace(two_cameras.ceiling.placed, detector=troubled(two_cameras.fake.detector))
+    leaf = Look("look", replace(two_cameras.toolbox, cameras=(placed,)))
+
+    assert two_cameras.run(leaf) is Status.SUCCESS
+    assert {view.source for view in leaf.views} == {HEAD}
+    assert reasons(two_cameras) == [Reason.CAMERA_BLIND]
+
+
+@pytest.mark.requirement("P3")
+def test_where_both_cameras_are_covered_a_look_says_so_within_a_second(two_cameras):
+    dark = troubled(two_cameras.fake.detector)
+    placed = replace(two_cameras.ceiling.placed, detector=dark)
+    leaf = Look("look", replace(two_cameras.toolbox, detector=dark, cameras=(placed,)))
+    start_s = two_cameras.fake.clock.now_s()
+
+    assert two_cameras.run(leaf) is Status.FAILURE
+    assert leaf.failure.reason is Reason.CANNOT_SEE
+    assert two_cameras.fake.clock.now_s() - start_s < 1.0
+
+
+@pytest.mark.requirement("P3")
+def test_a_camera_that_looks_elsewhere_is_not_taken_for_a_covered_one(two_cameras):
+    two_cameras.ceiling.blind = True
+    away = replace(two_cameras.ceiling.placed, odom_T_camera=poses.translation(0.3, 0.1, 2.0))  # it looks up
+    leaf = Look("look", replace(two_cameras.toolbox, cameras=(away,)))
+    two_cameras.run(leaf)
+    folded_look(replace(two_cameras.toolbox, cameras=(away,)), leaf.views)
+
+    assert reasons(two_cameras) == []

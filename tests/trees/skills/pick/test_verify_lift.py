@@ -138,3 +138,37 @@ def test_a_cup_that_is_felt_elsewhere_than_it_is_seen_is_told_and_counts_as_held
     assert noticed == told
     assert len([event for event in lifted.events if isinstance(event, Said)]) == len(told)
     assert ("felt_apart_m" in lifted.output("evidence")) is bool(told)
+
+
+@pytest.mark.requirement("P3")
+def test_what_is_felt_elsewhere_in_one_look_alone_is_no_disagreement(lifted):
+    """It is looked at again, and then the camera shows it where the hand feels it."""
+    detector = lifted.fake.detector
+    detector.error = alike_in_all_directions(0.003, 0.0, 0.01)
+    across = lifted.toolbox.model.frame_pose(lifted.toolbox.sensing.state().q, "tcp_right")[:3, 1]
+    detector.offset_m["red cup"] = tuple((0.03 * across).tolist())
+    lifted.fake.step()
+    while "looking again" not in lifted.leaf.feedback_message:
+        lifted.tick(lifted.leaf)
+
+    assert verify(lifted, act=detector.offset_m.clear) is Status.SUCCESS
+    assert [event for event in lifted.events if isinstance(event, NotSo)] == []
+    assert "felt_apart_m" not in lifted.output("evidence")
+
+
+@pytest.mark.requirement("P3")
+def test_what_is_felt_elsewhere_twice_is_taken_to_be_where_the_hand_feels_it(lifted):
+    detector, world = lifted.fake.detector, lifted.toolbox.world
+    detector.error = alike_in_all_directions(0.003, 0.0, 0.01)
+    across = lifted.toolbox.model.frame_pose(lifted.toolbox.sensing.state().q, "tcp_right")[:3, 1]
+    detector.offset_m["red cup"] = tuple((0.03 * across).tolist())
+    body = world.scene.attached["red cup"]
+    aside = body.frame_T_object.copy()
+    aside[1, 3] += 0.02
+    freed = world.scene.with_detached("red cup", aside)
+    world.update(freed.with_attached("red cup", body.frame, aside, body.touch_links, body.mass_kg))
+    lifted.fake.step()
+
+    assert verify(lifted) is Status.SUCCESS
+    assert lifted.output("evidence")["held_s"] >= 2.0 * lifted.toolbox.policy.of(PickSettings).hold_s
+    assert world.scene.attached["red cup"].frame_T_object[1, 3] == pytest.approx(0.0, abs=0.002)

@@ -326,3 +326,13 @@ def test_a_full_table_is_told(stage_with):
     tree = run(stage, PlaceTask("put it down", None, on="table"))
 
     assert tree.status == "failure"
+
+
+@pytest.mark.requirement("P3")
+def test_a_hand_that_puts_something_down_remembers_how_high_it_has_felt_the_table(stage):
+    stage.play(stage.pick())
+
+    tree = run(stage, PlaceTask("put it down", None, on="table"))
+
+    assert tree.status == "success"
+    assert stage.toolbox.world.felt_tops["table"].source == "right hand"
