@@ -14,6 +14,7 @@ import os
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Generic, TypeVar, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
@@ -21,6 +22,15 @@ from pydantic import TypeAdapter, ValidationError
 from executive.errors import UserError
 from tools.documents.episode_document import EPISODE_FORMAT, EpisodeDocument
 from tools.evaluate.harness.worker_pool import Cost
+
+_TOLD: Mapping[str, object] = MappingProxyType(
+    {
+        "robot": "talos",
+        **dict.fromkeys(("fault", "scene", "course", "perception", "light", "own")),
+        "cameras": 1,
+    }
+)
+"""Options of which another value than the usual one makes other episodes."""
 
 Order = TypeVar("Order", bound=Hashable)
 Record = TypeVar("Record")
@@ -128,10 +138,11 @@ def journal_of(options: argparse.Namespace) -> Path:
     if options.journal is not None:
         return Path(options.journal)
     told = [options.suite, f"seed{options.seed}", f"x{options.episodes}"]
-    told += [options.robot] if options.robot != "talos" else []
-    told += [options.fault, options.course, options.perception, options.light]
-    told += [Path(options.scene).stem if options.scene else None]
-    return Path(options.failed) / ("-".join(part for part in told if part) + ".jsonl")
+    for name, usual in _TOLD.items():
+        value = getattr(options, name)
+        if value != usual:
+            told.append(f"{name}-{Path(value).stem if name == 'scene' else value}")
+    return Path(options.failed) / ("-".join(told) + ".jsonl")
 
 
 def set_aside(file: Path) -> Path | None:

@@ -97,7 +97,7 @@ def run_people_seen(options: argparse.Namespace, messages: Console) -> int:
         PeopleSummary,
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

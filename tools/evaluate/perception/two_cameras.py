@@ -239,7 +239,7 @@ def run_two_cameras(options: argparse.Namespace, messages: Console) -> int:
         TwoCameras,
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )

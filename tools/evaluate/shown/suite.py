@@ -104,7 +104,7 @@ def run_shown(options: argparse.Namespace, messages: Console) -> int:
         ShownSummary,
         line=_line,
         place=lambda record: (record.seed,),
-        jobs=options.jobs,
+        execution=options.execution,
         document=options.json,
         messages=messages,
     )
