@@ -15,7 +15,7 @@ from tools.evaluate.opening.judge import OpeningJudge
 from tools.evaluate.opening.records import OpeningRecord
 from tools.evaluate.opening.scenes import FURNITURE, OpeningScene, opening_scene
 from tools.evaluate.phases import PhaseWatch
-from tools.evaluate.scenes import episode_rng
+from tools.evaluate.scenes import episode_rng, seen_by
 from trees.events import Measured
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
@@ -25,12 +25,13 @@ _DRAWS = 20
 
 @dataclass(frozen=True, slots=True)
 class OpeningOrder:
-    """Which episode to run."""
+    """Which episode to run, and how the robot sees in it; None is what the scene says."""
 
     suite: str
     seed: int
     robot: str
     fault: str | None = None
+    perception: str | None = None
 
 
 def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
@@ -72,7 +73,7 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
         if isinstance(event, Measured) and "peak_force_n" in event.numbers:
             felt.append(float(event.numbers["peak_force_n"]))
 
-    assembly = assemble(order.robot, scene.read(), order.seed, sink=listen)
+    assembly = assemble(order.robot, seen_by(scene.read(), order.perception), order.seed, sink=listen)
     truth: SimulatorTruth = assembly.world.truth
     grippers = assembly.model.description.grippers.values()
     hands = frozenset(link for gripper in grippers for link in gripper.touch_links)

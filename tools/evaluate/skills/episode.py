@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from executive.embedding.requests import Requests
 from executive.errands.errand import Errand
@@ -20,7 +21,7 @@ from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
-from tools.evaluate.scenes import episode_rng
+from tools.evaluate.scenes import episode_rng, seen_by
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial
@@ -69,6 +70,7 @@ def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 
 def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     trial = trial_of(suite, order.seed)
+    trial = replace(trial, scene=seen_by(trial.scene, order.perception))
     judges: list[SkillJudge] = []
     phases, fault = PhaseWatch(), FaultState()
 
