@@ -1,5 +1,7 @@
 """Every suite's episodes can be seen by the robot's own camera instead of the stub."""
 
+from functools import partial
+
 import pytest
 
 from tools.evaluate.opening import episode as opening_episode
@@ -8,6 +10,7 @@ from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.scenes import seen_by
 from tools.evaluate.skills import episode as skill_episode
 from tools.evaluate.skills.episode import run_skill_episode, trial_of
+from tools.evaluate.skills.handing_over import to_somebody_seen
 
 
 class _AssembledError(Exception):
@@ -45,3 +48,13 @@ def test_a_scene_of_which_nothing_else_is_said_stays_as_it_is():
     scene = trial_of("count", 0).scene
 
     assert seen_by(scene, None) is scene
+
+
+def test_who_cannot_be_recognised_is_meant_by_the_place_where_the_person_stands():
+    trials = map(partial(trial_of, "hand_over"), range(20))
+    trial = next(one for one in trials if len(one.scene.people) > 1)
+
+    said = to_somebody_seen(trial).sentence
+
+    assert said in {f"give the {trial.aim} to the person on the {side}" for side in ("left", "right")}
+    assert trial.tasks[-1].to not in said

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
@@ -96,39 +95,39 @@ class Cabinet:
 
 @dataclass(frozen=True, slots=True)
 class Nearest:
-    """For some points the nearest face of some boxes.
+    """For some points the nearest face of some boxes that looks where they do.
 
     Attributes:
         off_m: Signed distance from that face along its normal, shape (n,).
         normal: Outward, in the boxes' frame, shape (n, 3).
-        away_m: Distance from the box's surface, shape (n,).
-        box: Which box, shape (n,).
+        away_m: Distance from the face, shape (n,).
     """
 
     off_m: Array
     normal: Array
     away_m: Array
-    box: NDArray[np.int64]
 
 
-def nearest_face(points: Array, middles: Array, halves: Array) -> Nearest:
-    """The nearest of many boxes, and the face of it that a point belongs to.
+def nearest_face(points: Array, normals: Array, middles: Array, halves: Array) -> Nearest:
+    """The face of many boxes that a point of a surface belongs to.
 
     Args:
         points: In the boxes' frame, shape (n, 3).
+        normals: Of the surface there, shape (n, 3).
         middles, halves: Of the boxes, shape (k, 3) each.
     """
-    local = points[:, None] - middles[None]
-    beyond = np.abs(local) - halves[None]
-    outside = np.linalg.norm(np.maximum(beyond, 0.0), axis=2)
-    surface = np.where(outside > 0.0, outside, -beyond.max(axis=2))
-    box = surface.argmin(axis=1)
     rows = np.arange(len(points))
-    inner, beyond = local[rows, box], beyond[rows, box]
-    axis = beyond.argmax(axis=1)
-    normal = np.zeros_like(points)
-    normal[rows, axis] = np.where(inner[rows, axis] < 0.0, -1.0, 1.0)
-    return Nearest(beyond[rows, axis], normal, surface[rows, box], box)
+    axis = np.abs(normals).argmax(axis=1)
+    side = np.where(normals[rows, axis] < 0.0, -1.0, 1.0)
+    local = points[:, None] - middles[None]
+    off = side[:, None] * local[rows, :, axis] - halves[:, axis].T
+    beside = np.maximum(np.abs(local) - halves[None], 0.0)
+    beside[rows, :, axis] = 0.0
+    away = np.sqrt(off**2 + (beside**2).sum(axis=2))
+    box = away.argmin(axis=1)
+    outward = np.zeros_like(points)
+    outward[rows, axis] = side
+    return Nearest(off[rows, box], outward, away[rows, box])
 
 
 def surface_m(points: Array, middles: Array, halves: Array) -> Array:

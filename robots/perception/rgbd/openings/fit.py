@@ -17,13 +17,25 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from robots.perception.rgbd.openings.cabinet import OPENING, YAW, Cabinet, X, Y, Z, nearest_face
+from robots.perception.rgbd.openings.cabinet import (
+    OPENING,
+    YAW,
+    Cabinet,
+    Nearest,
+    X,
+    Y,
+    Z,
+    nearest_face,
+    surface_m,
+)
 from robots.perception.rgbd.openings.view import View
 from robots.perception.surface import surface_points
 
 _AHEAD_M, _ASIDE_M = (-0.08, 0.0, 0.08), (-0.16, -0.08, 0.0, 0.08, 0.16)
 """From so far about where it is believed to be a piece is looked for; its front shows how far away it is."""
+_ABOUT_M = tuple(0.016 * k for k in range(-5, 6))
 _FOUND_WITHIN_M = 0.04
+_SEARCH_M = 0.08
 _SEARCHED = 400
 """Points that are enough to choose where to begin."""
 _EDGES_COUNT = 0.3
@@ -33,8 +45,8 @@ _OPEN_COSTS = 1.5
 """What is closed on the map is open only where that explains more."""
 _STEP = {True: math.radians(6.0), False: 0.03}
 """Openings that are tried, of doors and of drawers."""
-_REFINED = 2
-_NEAR_M = (0.10, 0.07, 0.05, 0.035, 0.025, 0.02)
+_REFINED, _REFINED_WIDE = 2, 5
+_NEAR_M = (0.06, 0.05, 0.04, 0.03, 0.02, 0.015)
 """A point belongs to a face within this, from step to step."""
 _UNEXPLAINED_M = 0.04
 _FACES_ALIKE = 0.75
@@ -102,21 +114,36 @@ def fit(cabinet: Cabinet, view: View, prior: Prior = ON_MAP) -> Fit | None:
     few = view.thinned(_SEARCHED)
     openings = np.arange(0.0, cabinet.widest + 1e-6, _STEP[cabinet.is_door])
     shifts = itertools.product(_AHEAD_M, _ASIDE_M) if prior.is_wide else [(0.0, 0.0)]
-    tried: list[tuple[float, Array]] = []
+    starts: list[tuple[float, Array]] = []
     for ahead, aside in shifts:
         start = np.zeros(5)
         start[:2] = (poses.rotation_z(cabinet.piece.yaw_rad) @ [ahead, aside, 0.0])[:2]
         local = _local(few.points, cabinet.odom_T_piece(start))
-        fixed = nearest_face(local, *cabinet.fixed).away_m
-        for value in openings:
-            config = _with(start, float(value))
-            tried.append((_cost(cabinet, few, config, prior, local, fixed), config))
-    tried.sort(key=lambda one: one[0])
-    starts = [config for _, config in tried[:_REFINED]]
-    if all(config[OPENING] > 0.0 for config in starts):
-        starts.append(next(config for _, config in tried if config[OPENING] == 0.0))
-    best = min((_refined(cabinet, view, config, prior) for config in starts), key=lambda one: one.cost)
-    return best if best.points >= LEAST_POINTS else None
+        fixed = surface_m(local, *cabinet.fixed)
+        tried = [
+            (_cost(cabinet, few, config, prior, local, fixed, _SEARCH_M), config)
+            for config in (_with(start, float(value)) for value in openings)
+        ]
+        # from each place the best, from where it is believed to be some more, and closed
+        best = sorted(tried, key=lambda one: one[0])
+        starts += best[:1] if ahead or aside else [*best[:_REFINED], tried[0]]
+    starts = sorted(starts, key=lambda one: one[0])[: _REFINED_WIDE if prior.is_wide else None]
+    configs = [config for _, config in starts]
+    if prior.is_wide:
+        configs = [_shifted(cabinet, few, config, prior) for config in configs]
+    found = min((_refined(cabinet, view, config, prior) for config in configs), key=lambda one: one.cost)
+    return found if found.points >= LEAST_POINTS else None
+
+
+def _shifted(cabinet: Cabinet, view: View, config: Array, prior: Prior) -> Array:
+    """The best of some places about one, along the piece's depth, then along its width, then once more."""
+    turn = poses.rotation_z(cabinet.piece.yaw_rad)[:2, :2]
+    for axis in (0, 1, 0):
+        places = [config.copy() for _ in _ABOUT_M]
+        for place, by in zip(places, _ABOUT_M, strict=True):
+            place[:2] += by * turn[:, axis]
+        config = min(places, key=lambda one: _cost(cabinet, view, one, prior))
+    return config
 
 
 def _local(points: Array, odom_T_piece: Array) -> Array:
@@ -129,19 +156,21 @@ def _with(config: Array, opening: float) -> Array:
     return changed
 
 
-def _distances(cabinet: Cabinet, points: Array, config: Array) -> tuple[Array, Array, Array, Array]:
-    """Of points in the odometry frame the nearest face: how far off it is, and its normal in the piece's frame.
-
-    With them the distance from the surface, and whether the box moves.
-    """
-    local = _local(points, cabinet.odom_T_piece(config))
-    fixed = nearest_face(local, *cabinet.fixed)
-    piece_T_part = cabinet.piece_T_part(float(config[OPENING]))
-    moving = nearest_face(_local(local, piece_T_part), *cabinet.moving_boxes)
+def _faces(cabinet: Cabinet, view: View, config: Array) -> tuple[Nearest, NDArray[np.bool_]]:
+    """The face that each point belongs to, with its normal in the piece's frame, and whether it moves."""
+    pose, part = cabinet.odom_T_piece(config), cabinet.piece_T_part(float(config[OPENING]))
+    local, normals = _local(view.points, pose), view.normals @ pose[:3, :3]
+    fixed = nearest_face(local, normals, *cabinet.fixed)
+    moving = nearest_face(_local(local, part), normals @ part[:3, :3], *cabinet.moving_boxes)
     moves = moving.away_m < fixed.away_m
-    off = np.where(moves, moving.off_m, fixed.off_m)
-    normal = np.where(moves[:, None], moving.normal @ piece_T_part[:3, :3].T, fixed.normal)
-    return off, normal, np.minimum(moving.away_m, fixed.away_m), moves
+    return (
+        Nearest(
+            np.where(moves, moving.off_m, fixed.off_m),
+            np.where(moves[:, None], moving.normal @ part[:3, :3].T, fixed.normal),
+            np.where(moves, moving.away_m, fixed.away_m),
+        ),
+        moves,
+    )
 
 
 def _cost(
@@ -151,6 +180,7 @@ def _cost(
     prior: Prior,
     local: Array | None = None,
     fixed: Array | None = None,
+    unexplained_m: float = _UNEXPLAINED_M,
 ) -> float:
     """How badly it explains the points, how much of it is seen past, and how far it is from the map.
 
@@ -160,14 +190,15 @@ def _cost(
         prior: How well its place is known.
         local, fixed: The points in the piece's frame, and their distances from what does not move, where
             they are known already.
+        unexplained_m: What is farther than this from all of it is not explained.
     """
     if local is None:
         local = _local(view.points, cabinet.odom_T_piece(config))
     if fixed is None:
-        fixed = nearest_face(local, *cabinet.fixed).away_m
+        fixed = surface_m(local, *cabinet.fixed)
     part = cabinet.piece_T_part(float(config[OPENING]))
-    away = np.minimum(fixed, nearest_face(_local(local, part), *cabinet.moving_boxes).away_m)
-    unexplained = np.minimum(away / _UNEXPLAINED_M, 1.0) ** 2
+    away = np.minimum(fixed, surface_m(_local(local, part), *cabinet.moving_boxes))
+    unexplained = np.minimum(away / unexplained_m, 1.0) ** 2
     agree, past, _ = _front(cabinet, view, config)
     moved = float(((config[:4] / prior.sigma) ** 2).sum())
     opened = _OPEN_COSTS if config[OPENING] > _CLOSED[cabinet.is_door] else 0.0
@@ -179,7 +210,7 @@ def _cost(
 
 
 def _front(cabinet: Cabinet, view: View, config: Array) -> tuple[float, float, int]:
-    """Of places on the front how many are seen there and seen past, weighed as points are, and their number."""
+    """Of places on the front how many are seen there and seen past, weighed as points are, and their sum."""
     shape = cabinet.moving[0].shape
     if not isinstance(shape, Box):
         return 0.0, 0.0, 0
@@ -209,28 +240,41 @@ def _refined(cabinet: Cabinet, view: View, config: Array, prior: Prior) -> Fit:
         residual, weight = np.concatenate([residual, edges[1]]), np.concatenate([weight, edges[2]])
         normal_matrix = (jacobian * weight[:, None]).T @ jacobian + known
         right = -(jacobian * weight[:, None]).T @ residual - known @ (config - believed)
-        config = config + np.linalg.solve(normal_matrix, right)
-        config[OPENING] = min(max(float(config[OPENING]), 0.0), cabinet.widest)
+        config = _stepped(config, normal_matrix, right, cabinet.widest)
     covariance = np.linalg.inv(normal_matrix)
     agree, past, places = _front(cabinet, view, config)
     seen = agree / (agree + past) if agree + past > 0.0 else 0.0
     return Fit(config, covariance, _cost(cabinet, view, config, prior), used, seen, places)
 
 
+def _stepped(config: Array, normal_matrix: Array, right: Array, widest: float) -> Array:
+    """The next configuration; an opening that would leave its range stays at the end, the rest without it."""
+    step = np.linalg.solve(normal_matrix, right)
+    opening = float(config[OPENING] + step[OPENING])
+    if not 0.0 <= opening <= widest:
+        end = min(max(opening, 0.0), widest) - float(config[OPENING])
+        rest = [X, Y, YAW, Z]
+        step[OPENING] = end
+        step[rest] = np.linalg.solve(
+            normal_matrix[np.ix_(rest, rest)], right[rest] - normal_matrix[rest, OPENING] * end
+        )
+    return np.asarray(config + step)
+
+
 def _measured(cabinet: Cabinet, view: View, config: Array, near_m: float) -> tuple[Array, Array, Array, int]:
     """Distances of points from their faces, with derivatives by the configuration and weights."""
-    off, normal, away, moves = _distances(cabinet, view.points, config)
-    pose = cabinet.odom_T_piece(config)
-    outward = normal @ pose[:3, :3].T
+    face, moves = _faces(cabinet, view, config)
+    outward = face.normal @ cabinet.odom_T_piece(config)[:3, :3].T
     alike = (outward * view.normals).sum(axis=1) > _FACES_ALIKE
-    near = (away < near_m) & alike
-    points, outward, off, moves = view.points[near], outward[near], off[near], moves[near]
+    near = (face.away_m < near_m) & alike
+    points, outward, off, moves = view.points[near], outward[near], face.off_m[near], moves[near]
     jacobian = _derivatives(cabinet, points, outward, moves, config)
     sigma = view.sigma_m[near] + 0.002
-    weight = 1.0 / (1.0 + (off / (3.0 * sigma)) ** 2) / sigma**2
+    scale = np.maximum(3.0 * sigma, 0.5 * near_m)  # wide first: the start is no outlier
+    weight = 1.0 / (1.0 + (off / scale) ** 2) ** 2 / sigma**2
     # the faces are told apart by where they look, and by whether they move
-    face = np.round(normal[near] * 2.0).astype(np.int64) @ np.array([1, 10, 100]) + 1000 * moves
-    _, which, counts = np.unique(face, return_inverse=True, return_counts=True)
+    looks = np.round(face.normal[near] * 2.0).astype(np.int64) @ np.array([1, 10, 100]) + 1000 * moves
+    _, which, counts = np.unique(looks, return_inverse=True, return_counts=True)
     weight *= np.minimum(_COUNTS_AS / counts, 1.0)[which]
     return jacobian, off, weight, int(near.sum())
 
@@ -325,5 +369,5 @@ def _along_edges(cabinet: Cabinet, view: View, config: Array, near_m: float) -> 
         )
         residuals.append(near.beyond_m[good])
     jacobian, residual = np.concatenate(jacobians), np.concatenate(residuals)
-    weight = 1.0 / (1.0 + (residual / (3.0 * _EDGE_M)) ** 2) / _EDGE_M**2
+    weight = 1.0 / (1.0 + (residual / max(3.0 * _EDGE_M, 0.5 * near_m)) ** 2) ** 2 / _EDGE_M**2
     return jacobian, residual, weight * min(1.0, 40.0 / max(len(residual), 1))

@@ -182,7 +182,9 @@ def test_an_open_box_is_one_thing_as_high_as_its_rim(take):
 
 
 def test_what_is_in_an_open_box_is_seen_with_the_box(take):
-    seen = Eyes().look(take([*crate(0.65, 0.0, 0.3, BROWN), (Cylinder(0.033, 0.11), 0.65, 0.01, 0.0, RED)]))
+    can = (Cylinder(0.033, 0.11), 0.65, 0.01, 0.0, RED)
+
+    seen = Eyes().look(take([*crate(0.65, 0.0, 0.3, BROWN), can]))
 
     assert sorted((thing.color, thing.call.kind) for thing in seen.things) == [
         ("brown", "box"),
