@@ -237,7 +237,7 @@ def _unexplained(cloud: Cloud, mask: Mask, cabinets: Sequence[SeenCabinet]) -> M
         return mask
     rows, columns = np.nonzero(mask)
     points = np.column_stack([cloud.x[rows, columns], cloud.y[rows, columns], cloud.z[rows, columns]])
-    sigma = cloud.sigma_m[rows, columns]
+    sigma = cloud.sigma_m[rows, columns].astype(np.float64)
     left = mask.copy()
     for cabinet in cabinets:
         left[rows, columns] &= ~cabinet.explains(points.astype(np.float64), sigma)

@@ -209,7 +209,7 @@ def _is_open(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
     top[..., 0] = x[:, None] + radius[:, None] * _ASKED[:, 0]
     top[..., 1] = y[:, None] + radius[:, None] * _ASKED[:, 1]
     top[..., 2] = height[:, None]
-    return _ends_below(cloud, samples, top) > _OPEN_SHARE
+    return np.asarray(_ends_below(cloud, samples, top) > _OPEN_SHARE)
 
 
 def _is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_]:
@@ -225,7 +225,7 @@ def _is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_
         ],
         axis=-1,
     )
-    return (_ends_below(cloud, samples, top) > _BY_WALLS_SHARE) & (np.minimum(a, b) > _HOLDS_M)
+    return np.asarray((_ends_below(cloud, samples, top) > _BY_WALLS_SHARE) & (np.minimum(a, b) > _HOLDS_M))
 
 
 def _ends_below(cloud: Cloud, samples: Samples, top: Array) -> Array:

@@ -127,7 +127,7 @@ def _masks(
 def _is_flat(
     x: NDArray[np.float32], y: NDArray[np.float32], z: NDArray[np.float32], mask: NDArray[np.bool_]
 ) -> bool:
-    """Whether a patch at one height goes on along the ground; a strip of walls, as high everywhere, goes up."""
+    """Whether a patch at one height goes on along the ground; a strip of walls goes up."""
     both = mask[:-_ROWS_ON] & mask[_ROWS_ON:]
     rise, run = (
         np.abs(z[_ROWS_ON:][both] - z[:-_ROWS_ON][both]),

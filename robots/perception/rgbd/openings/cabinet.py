@@ -93,6 +93,11 @@ class Cabinet:
         return moved
 
 
+def local_in(points: Array, pose: Transform) -> Array:
+    """Points in the frame of a pose, both in one frame, shape (n, 3)."""
+    return np.asarray((points - pose[:3, 3]) @ pose[:3, :3])
+
+
 @dataclass(frozen=True, slots=True)
 class Nearest:
     """For some points the nearest face of some boxes that looks where they do.

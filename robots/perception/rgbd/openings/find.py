@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
@@ -84,7 +85,7 @@ class SeenCabinet(InFloat64):
             found.append(Piece(HANDLE, None, self.bar.shape, self.bar.odom_T_bar, 0.95))
         return found
 
-    def explains(self, points: Array, sigma_m: Array) -> Array:
+    def explains(self, points: Array, sigma_m: Array) -> NDArray[np.bool_]:
         """Which points are on its surface, and so are no things; shape (n,).
 
         Args:

@@ -25,9 +25,11 @@ from robots.perception.rgbd.openings.cabinet import (
     X,
     Y,
     Z,
+    local_in,
     nearest_face,
     surface_m,
 )
+from robots.perception.rgbd.openings.outline import nearest_edges
 from robots.perception.rgbd.openings.view import View
 from robots.perception.surface import surface_points
 
@@ -54,7 +56,6 @@ _BEHIND_M = 0.08
 _SEEN_PAST = 3.0
 """A place that is seen past weighs as so many points that nothing explains."""
 _EDGE_M = 0.006
-_BESIDE_EDGE_M = 0.015
 _COUNTS_AS = 60.0
 """Neighbours err together: the points of a face count as so many."""
 _CLOSED = {True: math.radians(1.2), False: 0.012}
@@ -118,7 +119,7 @@ def fit(cabinet: Cabinet, view: View, prior: Prior = ON_MAP) -> Fit | None:
     for ahead, aside in shifts:
         start = np.zeros(5)
         start[:2] = (poses.rotation_z(cabinet.piece.yaw_rad) @ [ahead, aside, 0.0])[:2]
-        local = _local(few.points, cabinet.odom_T_piece(start))
+        local = local_in(few.points, cabinet.odom_T_piece(start))
         fixed = surface_m(local, *cabinet.fixed)
         tried = [
             (_cost(cabinet, few, config, prior, local, fixed, _SEARCH_M), config)
@@ -146,10 +147,6 @@ def _shifted(cabinet: Cabinet, view: View, config: Array, prior: Prior) -> Array
     return config
 
 
-def _local(points: Array, odom_T_piece: Array) -> Array:
-    return np.asarray((points - odom_T_piece[:3, 3]) @ odom_T_piece[:3, :3])
-
-
 def _with(config: Array, opening: float) -> Array:
     changed = config.copy()
     changed[OPENING] = opening
@@ -159,9 +156,9 @@ def _with(config: Array, opening: float) -> Array:
 def _faces(cabinet: Cabinet, view: View, config: Array) -> tuple[Nearest, NDArray[np.bool_]]:
     """The face that each point belongs to, with its normal in the piece's frame, and whether it moves."""
     pose, part = cabinet.odom_T_piece(config), cabinet.piece_T_part(float(config[OPENING]))
-    local, normals = _local(view.points, pose), view.normals @ pose[:3, :3]
+    local, normals = local_in(view.points, pose), view.normals @ pose[:3, :3]
     fixed = nearest_face(local, normals, *cabinet.fixed)
-    moving = nearest_face(_local(local, part), normals @ part[:3, :3], *cabinet.moving_boxes)
+    moving = nearest_face(local_in(local, part), normals @ part[:3, :3], *cabinet.moving_boxes)
     moves = moving.away_m < fixed.away_m
     return (
         Nearest(
@@ -193,17 +190,17 @@ def _cost(
         unexplained_m: What is farther than this from all of it is not explained.
     """
     if local is None:
-        local = _local(view.points, cabinet.odom_T_piece(config))
+        local = local_in(view.points, cabinet.odom_T_piece(config))
     if fixed is None:
         fixed = surface_m(local, *cabinet.fixed)
     part = cabinet.piece_T_part(float(config[OPENING]))
-    away = np.minimum(fixed, surface_m(_local(local, part), *cabinet.moving_boxes))
+    away = np.minimum(fixed, surface_m(local_in(local, part), *cabinet.moving_boxes))
     unexplained = np.minimum(away / unexplained_m, 1.0) ** 2
     agree, past, _ = _front(cabinet, view, config)
     moved = float(((config[:4] / prior.sigma) ** 2).sum())
     opened = _OPEN_COSTS if config[OPENING] > _CLOSED[cabinet.is_door] else 0.0
     data = float((unexplained.sum() + _SEEN_PAST * past) / (len(away) + agree + past))
-    off = np.concatenate([near.away_m for near in _edges(cabinet, view, config, _UNEXPLAINED_M)])
+    off = np.concatenate([near.away_m for near in nearest_edges(cabinet, view, config, _UNEXPLAINED_M)])
     if len(off):
         data += _EDGES_COUNT * float((np.minimum(off / _UNEXPLAINED_M, 1.0) ** 2).mean())
     return data + (moved + opened) / _MEASUREMENTS
@@ -244,7 +241,14 @@ def _refined(cabinet: Cabinet, view: View, config: Array, prior: Prior) -> Fit:
     covariance = np.linalg.inv(normal_matrix)
     agree, past, places = _front(cabinet, view, config)
     seen = agree / (agree + past) if agree + past > 0.0 else 0.0
-    return Fit(config, covariance, _cost(cabinet, view, config, prior), used, seen, places)
+    return Fit(
+        config,
+        np.asarray(covariance, dtype=np.float64),
+        _cost(cabinet, view, config, prior),
+        used,
+        seen,
+        places,
+    )
 
 
 def _stepped(config: Array, normal_matrix: Array, right: Array, widest: float) -> Array:
@@ -279,7 +283,9 @@ def _measured(cabinet: Cabinet, view: View, config: Array, near_m: float) -> tup
     return jacobian, off, weight, int(near.sum())
 
 
-def _derivatives(cabinet: Cabinet, points: Array, outward: Array, moves: Array, config: Array) -> Array:
+def _derivatives(
+    cabinet: Cabinet, points: Array, outward: Array, moves: NDArray[np.bool_], config: Array
+) -> Array:
     """Of distances along outward normals, by the configuration, shape (n, 5)."""
     pose = cabinet.odom_T_piece(config)
     arm = points[:, :2] - pose[:2, 3]
@@ -292,77 +298,10 @@ def _derivatives(cabinet: Cabinet, points: Array, outward: Array, moves: Array, 
     return jacobian
 
 
-@dataclass(frozen=True, slots=True)
-class _NearestEdge:
-    """For some points of an outline the nearest edge of a box.
-
-    Attributes:
-        points: In the odometry frame, shape (n, 3).
-        away_m: Distance from the edge, infinite where none is near, shape (n,).
-        beyond_m: How far beyond the face that ends there, shape (n,).
-        outward: Of that face, in the odometry frame, shape (n, 3).
-        moves: Whether the box does, shape (n,).
-    """
-
-    points: Array
-    away_m: Array
-    beyond_m: Array
-    outward: Array
-    moves: NDArray[np.bool_]
-
-
-def _edges(cabinet: Cabinet, view: View, config: Array, near_m: float) -> list[_NearestEdge]:
-    """Of the outlines at the sides the nearest upright edges, of those above and below level ones."""
-    body, part = cabinet.odom_T_piece(config), cabinet.piece_T_part(float(config[OPENING]))
-    found = []
-    for edges, axis in ((view.edges, 1), (view.level_edges, 0)):
-        if not len(edges):
-            continue
-        local = _local(edges, body)
-        best = np.full(len(edges), np.inf)
-        off, side, moves = np.zeros(len(edges)), np.ones(len(edges)), np.zeros(len(edges), np.bool_)
-        for points, (middles, halves), moving in (
-            (local, cabinet.fixed, False),
-            (_local(local, part), cabinet.moving_boxes, True),
-        ):
-            inner = points[:, None] - middles[None]
-            away, beyond = _from_edge(inner, halves, axis)
-            box, rows = away.argmin(axis=1), np.arange(len(edges))
-            nearer = away[rows, box] < np.minimum(best, near_m)
-            best = np.where(nearer, away[rows, box], best)
-            off = np.where(nearer, beyond[rows, box], off)
-            side = np.where(nearer, np.sign(inner[rows, box, axis]), side)
-            moves = np.where(nearer, moving, moves)
-        axes = np.where(moves[:, None], (body[:3, :3] @ part[:3, axis])[None], body[None, :3, axis])
-        found.append(_NearestEdge(edges, best, off, side[:, None] * axes, moves))
-    return found
-
-
-def _from_edge(inner: Array, halves: Array, axis: int) -> tuple[Array, Array]:
-    """How far places are from the upright (axis 1) or upper level (axis 0) edges of boxes; shape (n, k).
-
-    Infinite where they are beside these. With it how far they are beyond the face along that axis.
-
-    Args:
-        inner: Places from the middles of boxes, in their frame, shape (n, k, 3).
-        halves: Half edges of the boxes, shape (k, 3).
-        axis: 1 or 0.
-    """
-    beyond = np.abs(inner[..., axis]) - halves[:, axis]
-    if axis == 1:
-        across = np.abs(np.abs(inner[..., 0]) - halves[:, 0])
-        along = np.abs(inner[..., 2]) - halves[:, 2]
-    else:
-        across = np.abs(inner[..., 2] - halves[:, 2])
-        along = np.abs(inner[..., 1]) - halves[:, 1]
-    beside = (across > _BESIDE_EDGE_M) | (along > -0.02)
-    return np.where(beside, np.inf, np.abs(beyond)), beyond
-
-
 def _along_edges(cabinet: Cabinet, view: View, config: Array, near_m: float) -> tuple[Array, Array, Array]:
     """Distances of the outline from edges, with derivatives by the configuration and weights."""
     jacobians, residuals = [np.zeros((0, 5))], [np.zeros(0)]
-    for near in _edges(cabinet, view, config, near_m):
+    for near in nearest_edges(cabinet, view, config, near_m):
         good = near.away_m < near_m
         jacobians.append(
             _derivatives(cabinet, near.points[good], near.outward[good], near.moves[good], config)

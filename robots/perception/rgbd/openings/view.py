@@ -100,7 +100,8 @@ def thinned(cloud: Cloud) -> Thinned:
     length = np.linalg.norm(normals, axis=-1, keepdims=True)
     smooth = np.zeros(there.shape, np.bool_)
     smooth[1:-1, 1:-1] = there[1:-1, 2:] & there[1:-1, :-2] & there[2:, 1:-1] & there[:-2, 1:-1]
-    normals = np.where(smooth[..., None] & (length > 0.0), normals / np.maximum(length, 1e-12), 0.0)
+    unit = np.where(smooth[..., None] & (length > 0.0), normals / np.maximum(length, 1e-12), 0.0)
+    normals = np.asarray(unit, dtype=np.float64)
     eye = cloud.odom_T_camera[:3, 3]
     away = ((points - eye) * normals).sum(axis=-1) > 0.0
     normals[away] *= -1.0
