@@ -87,7 +87,7 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
     beaker = _is_open(cloud, samples, rounds)
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
-    boxes, crate = _without_insides(cloud, samples, boxes)
+    boxes, crate = _without_insides(cloud, samples, boxes, view)
     ball_start = np.column_stack([view.middle, 0.5 * view.height])
     balls = fit(samples, ball_start, ball_distance, slice(2, 3))
     scores = np.stack(
@@ -114,7 +114,9 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     return made, ~_within_another(samples, rounds, beaker & (best == 0))
 
 
-def _without_insides(cloud: Cloud, samples: Samples, boxes: Fit) -> tuple[Fit, NDArray[np.bool_]]:
+def _without_insides(
+    cloud: Cloud, samples: Samples, boxes: Fit, view: _View
+) -> tuple[Fit, NDArray[np.bool_]]:
     """The boxes, with those that are open fitted to their outside alone, and which these are."""
     crate = np.zeros(len(samples.origin), np.bool_)
     for _ in range(2):
@@ -138,6 +140,8 @@ def _without_insides(cloud: Cloud, samples: Samples, boxes: Fit) -> tuple[Fit, N
                 )
             )
         )
+    # a rim is too thin for a fit; the highest points are its own
+    boxes.parameters[crate, 5] = view.height[crate]
     return boxes, crate
 
 

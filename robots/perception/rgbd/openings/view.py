@@ -100,13 +100,17 @@ def thinned(cloud: Cloud) -> Thinned:
     length = np.linalg.norm(normals, axis=-1, keepdims=True)
     smooth = np.zeros(there.shape, np.bool_)
     smooth[1:-1, 1:-1] = there[1:-1, 2:] & there[1:-1, :-2] & there[2:, 1:-1] & there[:-2, 1:-1]
-    unit = np.where(smooth[..., None] & (length > 0.0), normals / np.maximum(length, 1e-12), 0.0)
-    normals = np.asarray(unit, dtype=np.float64)
+    normals = np.where(smooth[..., None] & (length > 0.0), normals / np.maximum(length, 1e-12), 0.0)
     eye = cloud.odom_T_camera[:3, 3]
     away = ((points - eye) * normals).sum(axis=-1) > 0.0
-    normals[away] *= -1.0
+    normals = np.where(away[..., None], -normals, normals)
     return Thinned(
-        points, normals, cloud.sigma_m[part].astype(np.float64), there, _edges(cloud, 1), _edges(cloud, 0)
+        points,
+        np.asarray(normals, dtype=np.float64),
+        cloud.sigma_m[part].astype(np.float64),
+        there,
+        _edges(cloud, 1),
+        _edges(cloud, 0),
     )
 
 
