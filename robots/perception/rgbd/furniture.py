@@ -61,7 +61,7 @@ def find_furniture(
             aligned, edges = _aligned(cloud, piece, [surfaces[i] for i in matches])
             found += _solids(aligned, 0.97 if edges else 0.85, frozenset() if edges else frozenset({"edges"}))
         elif piece.kind != "table" and _seen(cloud, piece):
-            found += _solids(piece, 0.85, frozenset({"place"}))
+            found += on_map(piece)
     for i, surface in enumerate(surfaces):
         if i not in explained:
             found.append(_alone(surface))
@@ -74,6 +74,11 @@ def _could_be(piece: Furniture, surface: Surface) -> bool:
     local = _local(piece, surface.hull.astype(np.float64).mean(axis=0)[None])[0]
     half = 0.5 * np.array(piece.size_m[:2]) + 0.10
     return bool((np.abs(local) < half).all())
+
+
+def on_map(piece: Furniture) -> list[Piece]:
+    """The solids of a piece where the map has it."""
+    return _solids(piece, 0.85, frozenset({"place"}))
 
 
 def _is_of(cabinet: SeenCabinet, surface: Surface) -> bool:

@@ -23,9 +23,10 @@ from robots.scenes.articulated import DRAWER_BOTTOM, HANDLE, MovingSolid
 from robots.scenes.furniture_names import own_name
 from robots.scenes.scene_description import Furniture
 
-_WORST, _LOST = 0.6, 0.35
-"""A fit that costs more is none, or has lost what was seen before: that is sought anew on the map."""
-_SURE_POINTS, _SURE_M = 150, 0.01
+_WORST = 0.6
+"""A fit that costs more is none."""
+_THERE_SHARE = 0.75
+_SURE_POINTS, _SURE_SHARE, _SURE_M = 150, 0.35, 0.01
 _SEEN_SHARE = 0.35
 _LEAST_PLACES = 4
 _AGREES_M = 0.04
@@ -151,11 +152,9 @@ class Cabinets:
             seen = None
             if k in self._on_sight:
                 seen = _find(cloud, whole, self._on_sight[k], ON_SIGHT)
-                if seen is not None and seen.fit.cost > _LOST:
-                    seen = None
             if seen is None:
                 seen = _find(cloud, whole, on_map, ON_MAP)
-            if seen is None or not _is_sure(seen.fit):
+            if seen is None:
                 continue
             self._on_sight[k] = replace(seen.placed, size_m=on_map.size_m)
             self._now.add(k)
@@ -171,15 +170,35 @@ class Cabinets:
 def _find(cloud: Cloud, whole: Thinned, piece: Furniture, prior: Prior) -> SeenCabinet | None:
     view, cabinet = view_of(cloud, whole, piece), Cabinet(piece)
     fitted = fit(cabinet, view, prior)
-    if fitted is None or fitted.cost > _WORST:
+    if fitted is None or not _is_sure(fitted, len(view.points)):
         return None
-    return _seen(cabinet, fitted, view)
+    seen = _seen(cabinet, fitted, view)
+    return seen if _is_there(seen, view) else None
 
 
-def _is_sure(fitted: Fit) -> bool:
-    """Whether a picture shows well where a piece stands."""
+def _is_sure(fitted: Fit, points: int) -> bool:
+    """Whether a picture, with so many points around it, shows well where a piece stands."""
     spread = np.sqrt(np.diag(fitted.covariance)[[X, Y]])
-    return bool(fitted.cost < _LOST and fitted.points >= _SURE_POINTS and spread.max() < _SURE_M)
+    return bool(
+        fitted.cost < _WORST
+        and fitted.points >= max(_SURE_POINTS, _SURE_SHARE * points)
+        and spread.max() < _SURE_M
+    )
+
+
+def _is_there(seen: SeenCabinet, view: View) -> bool:
+    """Whether most of what of it should be in sight is."""
+    agree = past = 0
+    for solid in seen.pieces():
+        if solid.kind == HANDLE:
+            continue
+        points, normals = surface_points(solid.shape)
+        world = points @ solid.odom_T_solid[:3, :3].T + solid.odom_T_solid[:3, 3]
+        facing = ((view.eye - world) * (normals @ solid.odom_T_solid[:3, :3].T)).sum(axis=1) > 0.0
+        shown, z = view.depth_at(world[facing])
+        agree += int(((shown > 0.0) & (np.abs(shown - z) < _AGREES_M)).sum())
+        past += int((shown > z + _AGREES_M).sum())
+    return agree + past < _LEAST_PLACES or agree > _THERE_SHARE * (agree + past)
 
 
 def _seen(cabinet: Cabinet, fitted: Fit, view: View) -> SeenCabinet:
