@@ -186,15 +186,14 @@ def _cost(
         config: Where and how far open.
         prior: How well its place is known.
         local, fixed: The points in the piece's frame, and their distances from what does not move, where
-            they are known already.
+            those will do for a search; else points are compared with faces that look where they do.
         unexplained_m: What is farther than this from all of it is not explained.
     """
-    if local is None:
-        local = local_in(view.points, cabinet.odom_T_piece(config))
-    if fixed is None:
-        fixed = surface_m(local, *cabinet.fixed)
-    part = cabinet.piece_T_part(float(config[OPENING]))
-    away = np.minimum(fixed, surface_m(local_in(local, part), *cabinet.moving_boxes))
+    if local is None or fixed is None:
+        away = _from_faces(cabinet, view, config)
+    else:
+        part = cabinet.piece_T_part(float(config[OPENING]))
+        away = np.minimum(fixed, surface_m(local_in(local, part), *cabinet.moving_boxes))
     unexplained = np.minimum(away / unexplained_m, 1.0) ** 2
     agree, past, _ = _front(cabinet, view, config)
     moved = float(((config[:4] / prior.sigma) ** 2).sum())
@@ -204,6 +203,13 @@ def _cost(
     if len(off):
         data += _EDGES_COUNT * float((np.minimum(off / _UNEXPLAINED_M, 1.0) ** 2).mean())
     return data + (moved + opened) / _MEASUREMENTS
+
+
+def _from_faces(cabinet: Cabinet, view: View, config: Array) -> Array:
+    """Distances of points from faces that look where they do, infinite where none does, shape (n,)."""
+    face, _ = _faces(cabinet, view, config)
+    alike = (face.normal @ cabinet.odom_T_piece(config)[:3, :3].T * view.normals).sum(axis=1) > _FACES_ALIKE
+    return np.where(alike, face.away_m, np.inf)[view.normals.any(axis=1)]
 
 
 def _front(cabinet: Cabinet, view: View, config: Array) -> tuple[float, float, int]:
