@@ -166,7 +166,7 @@ def crate(x, y, yaw, rgb, size=(0.18, 0.15, 0.10), wall_m=0.006):
     walls = [
         (Box((depth, wall_m, height)), (0.0, side * 0.5 * (width - wall_m), 0.0)) for side in (-1.0, 1.0)
     ] + [(Box((wall_m, width, height)), (side * 0.5 * (depth - wall_m), 0.0, 0.0)) for side in (-1.0, 1.0)]
-    return [(wall, *((turn @ place)[:2] + (x, y)), yaw, rgb) for wall, place in walls]
+    return [(wall, *np.add((turn @ place)[:2], (x, y)), yaw, rgb) for wall, place in walls]
 
 
 BROWN = (120, 72, 40)
