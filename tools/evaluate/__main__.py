@@ -267,7 +267,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         "--course", choices=sorted(COURSES_BY_NAME), help="of suites stop and cancel: this one alone"
     )
-    parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="of suite pick: how the robot sees")
+    parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="how the robot sees")
     parser.add_argument("--light", choices=LIGHT_KINDS, help="of suite perception: another light than drawn")
     parser.add_argument(
         "--own",

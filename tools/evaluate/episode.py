@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from executive.runs.run import frozen_heap
 from executive.session.assembly import assemble
 from executive.session.task_result import TaskResult, chain
@@ -15,7 +13,14 @@ from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.perception.camera_faults import CAMERA_FAULTS, with_camera_fault
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
-from tools.evaluate.scenes import TARGET, episode_rng, episode_scene, read_episode_scene, sentence_for
+from tools.evaluate.scenes import (
+    TARGET,
+    episode_rng,
+    episode_scene,
+    read_episode_scene,
+    seen_by,
+    sentence_for,
+)
 
 
 def run_episode(order: EpisodeOrder) -> EpisodeRecord:
@@ -28,8 +33,7 @@ def run_episode(order: EpisodeOrder) -> EpisodeRecord:
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
     scene = read_episode_scene(episode_scene(order.seed, order.fault, order.scene), order.seed)
-    if order.perception is not None:
-        scene = replace(scene, perception=replace(scene.perception, kind=order.perception))
+    scene = seen_by(scene, order.perception)
     if order.fault in CAMERA_FAULTS:
         scene = with_camera_fault(scene, order.fault, TARGET, episode_rng(order.seed, 3))
     phases = PhaseWatch()

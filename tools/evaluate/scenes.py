@@ -152,6 +152,18 @@ def pick_scene(seed: int, fault: str | None = None, crowded: bool = False) -> st
     return dump(SceneDescription(f"pick-{seed}", start, PERCEPTION, (table,), tuple(objects)))
 
 
+def seen_by(scene: SceneDescription, perception: str | None) -> SceneDescription:
+    """The same scene, seen by another kind of perception.
+
+    Args:
+        scene: Any.
+        perception: "stub" or "rgbd"; None leaves it as it is.
+    """
+    if perception is None:
+        return scene
+    return replace(scene, perception=replace(scene.perception, kind=perception))
+
+
 def read_episode_scene(text: str, seed: int) -> SceneDescription:
     """The scene of an episode from its TOML.
 

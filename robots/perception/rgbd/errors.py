@@ -18,7 +18,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
 from robots.interface.depth_camera import DepthCamera
 from robots.perception.position_error import PositionError
-from robots.perception.rgbd.furniture import Piece
+from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.shapes import Solid
 
 _OF_DEPTH = 0.5

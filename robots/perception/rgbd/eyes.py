@@ -26,21 +26,28 @@ from robots.perception.rgbd.colors import (
 )
 from robots.perception.rgbd.confidence import confidences
 from robots.perception.rgbd.errors import Errors
-from robots.perception.rgbd.furniture import Piece, find_furniture
+from robots.perception.rgbd.explained import Explained
+from robots.perception.rgbd.furniture import find_furniture, on_map
 from robots.perception.rgbd.labels import Call, by_shape, kinds, with_names
+from robots.perception.rgbd.openings.find import Cabinets
 from robots.perception.rgbd.people.find import SeenPerson, find_people
 from robots.perception.rgbd.picture import Picture
+from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.samples import Samples, sample
 from robots.perception.rgbd.segments import Segments, above, segment
 from robots.perception.rgbd.shapes import Solid, apart, find_solids
 from robots.perception.rgbd.surfaces import MOST_TILT_RAD, Surface, find_surfaces
 from robots.perception.rgbd.wholes import with_wholes
 from robots.scenes.articulated import PART_KINDS
-from robots.scenes.furniture import FURNITURE_KINDS
+from robots.scenes.furniture import FURNITURE_KINDS, WALL
 from robots.scenes.scene_description import Furniture
 
 LEAST_THERE = 0.65
 """What is there less surely is not told: it may be a part of something else, or the edge of a thing."""
+
+
+_LARGEST_M = 0.40
+"""What is wider is no thing on a surface."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +119,11 @@ class Eyes:
         labeller: Labeller | None = None,
         words: Sequence[str] | None = None,
     ) -> None:
-        self._known, self._labeller = tuple(known), labeller
+        self._labeller = labeller
+        self._fixed = tuple(piece for piece in known if piece.opens is None)
+        # walls go on beyond the picture: where the map has them they are
+        self._walls = [solid for piece in known if piece.kind == WALL for solid in on_map(piece)]
+        self._cabinets = Cabinets(known)
         able = () if labeller is None or labeller.words is None else sorted(labeller.words)
         self._words = tuple(able if words is None else words)
 
@@ -129,13 +140,16 @@ class Eyes:
         cloud = cloud_of(picture)
         cloud, surfaces, tilt = find_surfaces(cloud)
         light = light_of(picture.color, surfaces[0].pixels if surfaces else None)
-        segments, ground = _segments(cloud, surfaces)
+        cabinets = self._cabinets.look(cloud)
+        known = [*self._fixed, *self._cabinets.unseen]
+        pieces = find_furniture(cloud, surfaces, known, cabinets)
+        about = Explained(cabinets, [*(piece for piece in pieces if piece.kind == "shelf"), *self._walls])
+        segments, ground = _segments(cloud, surfaces, about)
         things: tuple[Thing, ...] = ()
         if segments.count:
             samples = sample(cloud, segments, ground)
             things = self._things(cloud, segments, samples, light)
-        pieces = find_furniture(cloud, surfaces, self._known)
-        people = tuple(find_people(cloud, light))
+        people = tuple(find_people(about.without(cloud), light))
         pieces = [piece for piece in pieces if "legs" not in piece.assumed or not _is_of(people, piece)]
         things = tuple(
             thing for thing in things if not any(_holds(one, thing.solid.place_m) for one in people)
@@ -173,7 +187,7 @@ class Eyes:
                 there=float(belief.there[k]),
             )
             for k in range(segments.count)
-            if whole[k]
+            if whole[k] and not _is_huge(solids[k])
         )
 
 
@@ -190,15 +204,24 @@ def _holds(person: SeenPerson, place_m: Array) -> bool:
     return bool(np.hypot(*local[:2]) < person.shape.radius_m)
 
 
-def _segments(cloud: Cloud, surfaces: Sequence[Surface]) -> tuple[Segments, Array]:
-    """The pieces on all surfaces, the highest surface first, and the height of what each stands on."""
+def _is_huge(solid: Solid) -> bool:
+    """Whether it is no thing that anybody carries about, but a part of the room."""
+    shape = solid.shape
+    return max(shape.size_m[:2] if isinstance(shape, Box) else (2.0 * shape.radius_m,)) > _LARGEST_M
+
+
+def _segments(cloud: Cloud, surfaces: Sequence[Surface], furniture: Explained) -> tuple[Segments, Array]:
+    """The pieces on all surfaces, the highest surface first, and the height of what each stands on.
+
+    What furniture explains, the walls about a board or a drawer's bottom, is no thing on it.
+    """
     labels = np.zeros(cloud.depth_m.shape, dtype=np.int32)
     ground: list[float] = []
     if not surfaces:
         return Segments(labels, 0), np.zeros(0)
     tint = smoothed_tint(cloud.picture.color)
     for surface in sorted(surfaces, key=lambda one: -one.height_m):
-        mask = above(cloud, surface) & (labels == 0)
+        mask = furniture.left_of(cloud, above(cloud, surface) & (labels == 0))
         found = with_wholes(cloud, segment(cloud, mask, tint), surface.height_m)
         new = found.labels > 0
         labels[new] = found.labels[new] + len(ground)

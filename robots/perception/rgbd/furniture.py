@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import cv2
 import numpy as np
 
-from kinematics.arrays import Array, InFloat64
+from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.geometry.poses import Transform
-from kinematics.geometry.shapes import Box, Shape
+from kinematics.geometry.shapes import Box
 from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.openings.find import SeenCabinet
+from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.surfaces import Surface
 from robots.perception.surface import surface_points
 from robots.scenes import furniture
@@ -33,44 +34,34 @@ _SEEN_M = 0.08
 _STEPS = 6
 
 
-@dataclass(frozen=True, slots=True)
-class Piece(InFloat64):
-    """One solid of a piece of furniture that is seen.
-
-    Attributes:
-        kind: "table".
-        name: Of its own, or None.
-        shape, odom_T_solid: Its solid, and where it is.
-        confidence: In [0, 1].
-        assumed: What of it was not seen and is taken from the map, or from nothing: "edges".
-    """
-
-    kind: str
-    name: str | None
-    shape: Shape
-    odom_T_solid: Transform
-    confidence: float
-    assumed: frozenset[str] = frozenset()
-
-
-def find_furniture(cloud: Cloud, surfaces: Sequence[Surface], known: Sequence[Furniture]) -> list[Piece]:
+def find_furniture(
+    cloud: Cloud,
+    surfaces: Sequence[Surface],
+    known: Sequence[Furniture],
+    cabinets: Sequence[SeenCabinet] = (),
+) -> list[Piece]:
     """The furniture in view.
 
     Args:
         cloud: The points.
         surfaces: The level surfaces in it.
-        known: The map, in the odometry frame, with its error.
+        known: What of the map does not open or is not seen well, in the odometry frame, with its error.
+        cabinets: What opens and is in view.
     """
-    found: list[Piece] = []
-    explained: set[int] = set()
+    found: list[Piece] = [solid for cabinet in cabinets for solid in cabinet.pieces()]
+    explained: set[int] = {
+        i for i, surface in enumerate(surfaces) if any(_is_of(cabinet, surface) for cabinet in cabinets)
+    }
     for piece in known:
-        matches = [i for i, surface in enumerate(surfaces) if _could_be(piece, surface)]
+        matches = [
+            i for i, surface in enumerate(surfaces) if i not in explained and _could_be(piece, surface)
+        ]
         if matches:
             explained.update(matches)
             aligned, edges = _aligned(cloud, piece, [surfaces[i] for i in matches])
             found += _solids(aligned, 0.97 if edges else 0.85, frozenset() if edges else frozenset({"edges"}))
         elif piece.kind != "table" and _seen(cloud, piece):
-            found += _solids(piece, 0.85, frozenset({"place"}))
+            found += on_map(piece)
     for i, surface in enumerate(surfaces):
         if i not in explained:
             found.append(_alone(surface))
@@ -83,6 +74,17 @@ def _could_be(piece: Furniture, surface: Surface) -> bool:
     local = _local(piece, surface.hull.astype(np.float64).mean(axis=0)[None])[0]
     half = 0.5 * np.array(piece.size_m[:2]) + 0.10
     return bool((np.abs(local) < half).all())
+
+
+def on_map(piece: Furniture) -> list[Piece]:
+    """The solids of a piece where the map has it."""
+    return _solids(piece, 0.85, frozenset({"place"}))
+
+
+def _is_of(cabinet: SeenCabinet, surface: Surface) -> bool:
+    """Whether a level surface is a board, a bottom or the top of a piece that opens."""
+    off = min(abs(top - surface.height_m) for top in cabinet.levels_m())
+    return off < _HEIGHT_M and cabinet.covers(surface.hull.astype(np.float64).mean(axis=0))
 
 
 def _local(piece: Furniture, places: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 
 from kinematics.geometry.planar import PlanarPose
 from robots.perception.place_map import START_M, START_RAD
-from robots.scenes.scene_description import Furniture, SceneDescription
+from robots.scenes.scene_description import Furniture, MovingPart, SceneDescription
 
 PIECE_M, PIECE_RAD = 0.01, 0.01
 """Standard deviations of where each piece stands on the map, beside the error that all have in common."""
@@ -38,5 +38,10 @@ def _believed(piece: Furniture, odom_T_world: PlanarPose, rng: np.random.Generat
         position_m=(pose.x_m + x, pose.y_m + y),
         yaw_rad=pose.yaw_rad + turn,
         friction=piece.friction,
-        opens=piece.opens,
+        opens=None if piece.opens is None else _known_of(piece.opens),
     )
+
+
+def _known_of(part: MovingPart) -> MovingPart:
+    """What a map says of a door or drawer: on which side it hangs. All else of it is to be seen."""
+    return MovingPart(hinge=part.hinge, mass_kg=part.mass_kg, friction=part.friction)

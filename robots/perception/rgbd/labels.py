@@ -62,7 +62,7 @@ def _with_name(call: Call, naming: Naming) -> Call:
 
 def _call(solid: Solid) -> Call:
     shape = solid.shape
-    if solid.form in ("box", "ball") or not isinstance(shape, Cylinder):
+    if solid.form in ("box", "crate", "ball") or not isinstance(shape, Cylinder):
         return Call("ball" if solid.form == "ball" else "box", 0.98)
     if solid.form == "beaker":
         wide = _share(shape.radius_m - 0.75 * shape.height_m, 0.006)

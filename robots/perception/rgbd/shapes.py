@@ -25,12 +25,17 @@ from robots.perception.rgbd.solids import (
 
 _ROOM_M, _WITHIN_SHARE = 0.005, 0.7
 _HOLDS_M = 0.05
-Form = Literal["cylinder", "beaker", "box", "ball"]
-"""A beaker is a cylinder that is open at the top."""
+Form = Literal["cylinder", "beaker", "box", "crate", "ball"]
+"""A beaker is a cylinder that is open at the top, a crate a box that is."""
+_HOLLOW_SHARE = 0.10
+"""A box of whose points more are deep inside it is open."""
 _DEPTH_OF_A_BEAKER_M = 0.012
 _OPEN_SHARE = 0.55
 _ASKED = np.array([(r * np.cos(a), r * np.sin(a)) for r in (0.3, 0.6) for a in np.arange(12) * np.pi / 6.0])
 """Places over the top of a thing, in radii, at which a beaker is looked into."""
+_BY_WALLS = np.array([(a, b) for a in (-0.75, 0.0, 0.75) for b in (-0.75, 0.0, 0.75) if (a, b) != (0.0, 0.0)])
+_BY_WALLS_SHARE = 0.35
+"""Places along the walls of a box, in half edges, at which it is looked into."""
 _WIDEST_OF_VISIBLE = 1.25, 0.003
 """A cylinder is no wider than this share of what is seen of it, and so much more: else a box that is seen
 face on becomes a huge one."""
@@ -82,13 +87,14 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
     beaker = _is_open(cloud, samples, rounds)
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
+    boxes, crate = _without_insides(cloud, samples, boxes, view)
     ball_start = np.column_stack([view.middle, 0.5 * view.height])
     balls = fit(samples, ball_start, ball_distance, slice(2, 3))
     scores = np.stack(
         [
             np.where(_too_wide(view, rounds), np.inf, rounds.score),
             # what is open at the top is round: boxes that are so have a form of their own
-            np.where(beaker, boxes.score + 1.0, boxes.score),
+            np.where(beaker & ~crate, boxes.score + 1.0, boxes.score),
             np.where(_no_ball(view, balls), np.inf, balls.score),
         ]
     )
@@ -100,12 +106,43 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     for k, kind in enumerate(best):
         which: tuple[Form, Fit] = (
             ("beaker" if beaker[k] else "cylinder", rounds),
-            ("box", boxes),
+            ("crate" if crate[k] else "box", boxes),
             ("ball", balls),
         )[int(kind)]
         lifted = float(view.low[k]) if hangs[k] else 0.0
         made.append(_solid(which[0], which[1], k, samples, view, float(margin[k]), lifted))
     return made, ~_within_another(samples, rounds, beaker & (best == 0))
+
+
+def _without_insides(
+    cloud: Cloud, samples: Samples, boxes: Fit, view: _View
+) -> tuple[Fit, NDArray[np.bool_]]:
+    """The boxes, with those that are open fitted to their outside alone, and which these are."""
+    crate = np.zeros(len(samples.origin), np.bool_)
+    for _ in range(2):
+        on, _ = box_distance(samples.points, boxes.parameters, False)
+        deep = on < -_DEPTH_OF_A_BEAKER_M
+        share = (deep * samples.weight).sum(axis=1) / np.maximum(samples.weight.sum(axis=1), 1.0)
+        wide = boxes.parameters[:, 3:5].min(axis=1) > _HOLDS_M
+        crate |= ((share > _HOLLOW_SHARE) & wide) | _is_open_box(cloud, samples, boxes)
+        if not crate.any():
+            break
+        outside = np.where(crate[:, None], samples.weight * ~deep, samples.weight)
+        again = fit(replace(samples, weight=outside), boxes.parameters, box_distance, slice(3, 6), (3, 4))
+        boxes = Fit(
+            *(
+                np.where(crate.reshape(-1, *[1] * (now.ndim - 1)), then, now)
+                for then, now in (
+                    (again.parameters, boxes.parameters),
+                    (again.covariance, boxes.covariance),
+                    (again.score, boxes.score),
+                    (again.points_m, boxes.points_m),
+                )
+            )
+        )
+    # a rim is too thin for a fit; the highest points are its own
+    boxes.parameters[crate, 5] = view.height[crate]
+    return boxes, crate
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,12 +208,33 @@ def _no_ball(view: _View, balls: Fit) -> NDArray[np.bool_]:
 
 def _is_open(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
     """Whether most rays through a round thing's top end below it."""
-    k = len(samples.origin)
     x, y, radius, height = rounds.parameters.T
-    top = np.zeros((k, len(_ASKED), 3))
+    top = np.zeros((len(x), len(_ASKED), 3))
     top[..., 0] = x[:, None] + radius[:, None] * _ASKED[:, 0]
     top[..., 1] = y[:, None] + radius[:, None] * _ASKED[:, 1]
     top[..., 2] = height[:, None]
+    return np.asarray(_ends_below(cloud, samples, top) > _OPEN_SHARE)
+
+
+def _is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_]:
+    """Whether many rays along the walls of a wide box end below its top, whatever is in its middle."""
+    x, y, yaw, a, b, height = boxes.parameters.T
+    along, across = a[:, None] * _BY_WALLS[:, 0], b[:, None] * _BY_WALLS[:, 1]
+    c, s = np.cos(yaw)[:, None], np.sin(yaw)[:, None]
+    top = np.stack(
+        [
+            x[:, None] + c * along - s * across,
+            y[:, None] + s * along + c * across,
+            np.broadcast_to(height[:, None], along.shape),
+        ],
+        axis=-1,
+    )
+    return np.asarray((_ends_below(cloud, samples, top) > _BY_WALLS_SHARE) & (np.minimum(a, b) > _HOLDS_M))
+
+
+def _ends_below(cloud: Cloud, samples: Samples, top: Array) -> Array:
+    """Of rays through places on the tops of things, shape (k, n, 3), the shares that end below them."""
+    k, count, _ = top.shape
     camera_R_odom = cloud.odom_T_camera[:3, :3].T
     seen = (top - samples.eye[:, None]) @ camera_R_odom.T
     pixels = np.round(cloud.picture.pixels_of(seen.reshape(-1, 3))).astype(np.int64)
@@ -184,10 +242,10 @@ def _is_open(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
     within = (pixels[:, 0] >= 0) & (pixels[:, 0] < columns) & (pixels[:, 1] >= 0) & (pixels[:, 1] < rows)
     u, v = np.clip(pixels[:, 0], 0, columns - 1), np.clip(pixels[:, 1], 0, rows - 1)
     there = within & (cloud.depth_m[v, u] > 0.0)
-    below = samples.origin[:, 2].repeat(len(_ASKED)) + height.repeat(len(_ASKED)) - cloud.z[v, u]
+    below = samples.origin[:, 2].repeat(count) + top[..., 2].ravel() - cloud.z[v, u]
     deep = there & (below > np.maximum(_DEPTH_OF_A_BEAKER_M, 4.0 * cloud.sigma_m[v, u]))
     told = there.reshape(k, -1).sum(axis=1)
-    return np.asarray(deep.reshape(k, -1).sum(axis=1) > _OPEN_SHARE * np.maximum(told, 6))
+    return np.asarray(deep.reshape(k, -1).sum(axis=1) / np.maximum(told, 6))
 
 
 def _ground_of(solid: Solid, place: Array, room_m: float) -> bool:
@@ -203,19 +261,23 @@ def _ground_of(solid: Solid, place: Array, room_m: float) -> bool:
 def apart(solids: Sequence[Solid], sure: Array) -> NDArray[np.bool_]:
     """Which things are not where another one is that is surer: two solids are never at one place.
 
-    What is in a bowl is.
+    What is in a bowl or in an open box is.
     """
     kept = np.ones(len(solids), np.bool_)
     order = np.argsort(-sure, kind="stable")
     for i, a in enumerate(order):
         for b in order[i + 1 :]:
             first, second = solids[a], solids[b]
-            bowl = first.form == "beaker" and _radius(first) > _HOLDS_M
-            if not kept[a] or not kept[b] or bowl:
+            if not kept[a] or not kept[b] or _could_hold(first, second) or _could_hold(second, first):
                 continue
             if _ground_of(first, second.place_m, _ROOM_M) or _ground_of(second, first.place_m, 0.0):
                 kept[b] = False
     return kept
+
+
+def _could_hold(solid: Solid, other: Solid) -> bool:
+    """Whether one may be in the other."""
+    return solid.form in ("beaker", "crate") and _radius(solid) > max(_HOLDS_M, _radius(other))
 
 
 def _radius(solid: Solid) -> float:
@@ -246,7 +308,7 @@ def _solid(
     x, y = samples.origin[k, :2] + p[:2]
     ground = float(samples.origin[k, 2])
     yaw, shape, spread = 0.0, _shape(form, p), tuple(float(value) for value in sigma[2:])
-    if form == "box":
+    if form in ("box", "crate"):
         yaw, spread = _turned(p), (2.0 * float(sigma[3]), 2.0 * float(sigma[4]), float(sigma[5]))
     if lifted > 0.0 and form != "ball":
         shape = _without_foot(shape, lifted)
@@ -299,7 +361,7 @@ def _seen_through(cloud: Cloud, samples: Samples, view: _View) -> NDArray[np.boo
 
 
 def _shape(form: Form, p: Array) -> Shape:
-    if form == "box":
+    if form in ("box", "crate"):
         return Box((2.0 * float(p[3]), 2.0 * float(p[4]), float(p[5])))
     if form == "ball":
         return Ball(float(p[2]))

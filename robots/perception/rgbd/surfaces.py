@@ -28,6 +28,8 @@ _CELL_M = 0.01
 _FITTED = 6000
 """Pixels that are enough for a plane."""
 HULL_ROOM_M = 0.03
+_ROWS_ON, _STEEPEST = 4, 0.5
+"""From row to row so far on, a level surface rises by less than this share of the way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +90,8 @@ def _surfaces(cloud: Cloud, known: tuple[NDArray[np.bool_], ...] = ()) -> list[S
     masks = known or _masks(z, there, depth, cloud.picture.camera.focal_px)
     found = []
     for mask in masks:
+        if not known and not _is_flat(x, y, z, mask):
+            continue
         surface = _fitted(x, y, z, depth, mask, cloud.picture.camera.focal_px)
         if surface is not None:
             found.append(surface)
@@ -118,6 +122,18 @@ def _masks(
         large = [i for i in range(1, number) if stats[i, cv2.CC_STAT_AREA] > 400]
         masks += [labels == i for i in large]
     return masks
+
+
+def _is_flat(
+    x: NDArray[np.float32], y: NDArray[np.float32], z: NDArray[np.float32], mask: NDArray[np.bool_]
+) -> bool:
+    """Whether a patch at one height goes on along the ground; a strip of walls goes up."""
+    both = mask[:-_ROWS_ON] & mask[_ROWS_ON:]
+    rise, run = (
+        np.abs(z[_ROWS_ON:][both] - z[:-_ROWS_ON][both]),
+        np.hypot(x[_ROWS_ON:][both] - x[:-_ROWS_ON][both], y[_ROWS_ON:][both] - y[:-_ROWS_ON][both]),
+    )
+    return bool(len(rise) == 0 or float((rise < _STEEPEST * run).mean()) > 0.5)
 
 
 def _fitted(

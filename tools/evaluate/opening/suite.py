@@ -28,7 +28,7 @@ def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
     return run_record_suite(
         options.suite,
         [
-            OpeningOrder(options.suite, options.seed + i, options.robot, options.fault)
+            OpeningOrder(options.suite, options.seed + i, options.robot, options.fault, options.perception)
             for i in range(options.episodes)
         ],
         run_openings,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from executive.embedding.requests import Requests
 from executive.errands.errand import Errand
@@ -20,7 +21,7 @@ from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
-from tools.evaluate.scenes import episode_rng
+from tools.evaluate.scenes import episode_rng, seen_by
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial
@@ -68,7 +69,7 @@ def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 
 
 def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
-    trial = trial_of(suite, order.seed)
+    trial = _seen_as_ordered(suite, order)
     judges: list[SkillJudge] = []
     phases, fault = PhaseWatch(), FaultState()
 
@@ -118,6 +119,14 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         realtime_factor=last.times.simulated_s / moving_wall_s if moving_wall_s > 0.0 else 0.0,
         numbers={**verdict.numbers, "slowest_plan_ms": round(max(planning.requests_ms, default=0.0), 1)},
     )
+
+
+def _seen_as_ordered(suite: str, order: EpisodeOrder) -> Trial:
+    """The episode with the perception that is asked for; a camera does not see what people are called."""
+    trial, unnamed = trial_of(suite, order.seed), SKILL_SUITES[suite].unnamed
+    if order.perception == "rgbd" and unnamed is not None:
+        trial = unnamed(trial)
+    return replace(trial, scene=seen_by(trial.scene, order.perception))
 
 
 def _asked(

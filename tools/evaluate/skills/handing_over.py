@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -74,4 +75,15 @@ def hand_over_trial(rng: np.random.Generator) -> Trial:
     return Trial(rooms.room("hand_over", rng, [table], objects, crowd), tasks, item.name)
 
 
-HAND_OVER = SkillSuite(hand_over_trial, TakingJudge)
+def to_somebody_seen(trial: Trial) -> Trial:
+    """The same, where whoever gets the thing is meant by where the person stands, not by a name."""
+    give, people = trial.tasks[-1], trial.scene.people
+    name = getattr(give, "to", "")
+    bearing = {one.name: math.atan2(one.position_m[1], one.position_m[0]) for one in people}
+    who = "the person"
+    if len(people) > 1:
+        who += f" on the {'left' if bearing[name] == max(bearing.values()) else 'right'}"
+    return replace(trial, sentence=f"give the {trial.aim} to {who}", first=trial.tasks[:-1])
+
+
+HAND_OVER = SkillSuite(hand_over_trial, TakingJudge, unnamed=to_somebody_seen)

@@ -157,3 +157,36 @@ def _camera():
     c, s = np.cos(0.8), np.sin(0.8)
     rotation = np.array([[0.0, -s, c], [-1.0, 0.0, 0.0], [0.0, -c, -s]])
     return poses.transform(rotation, (0.1, 0.0, 1.5))
+
+
+def crate(x, y, yaw, rgb, size=(0.18, 0.15, 0.10), wall_m=0.006):
+    """An open box of four walls, as things of a picture; what it stands on is its bottom."""
+    depth, width, height = size
+    turn = poses.rotation_z(yaw)
+    walls = [
+        (Box((depth, wall_m, height)), (0.0, side * 0.5 * (width - wall_m), 0.0)) for side in (-1.0, 1.0)
+    ] + [(Box((wall_m, width, height)), (side * 0.5 * (depth - wall_m), 0.0, 0.0)) for side in (-1.0, 1.0)]
+    return [(wall, *np.add((turn @ place)[:2], (x, y)), yaw, rgb) for wall, place in walls]
+
+
+BROWN = (120, 72, 40)
+
+
+def test_an_open_box_is_one_thing_as_high_as_its_rim(take):
+    seen = Eyes().look(take(crate(0.65, 0.0, 0.3, BROWN)))
+
+    (thing,) = seen.things
+    assert thing.call.kind == "box"
+    assert extents(thing.solid.shape) == pytest.approx(extents(Box((0.18, 0.15, 0.10))), abs=0.012)
+    assert thing.solid.shape.height_m == pytest.approx(0.10, abs=0.004)
+
+
+def test_what_is_in_an_open_box_is_seen_with_the_box(take):
+    can = (Cylinder(0.033, 0.11), 0.65, 0.01, 0.0, RED)
+
+    seen = Eyes().look(take([*crate(0.65, 0.0, 0.3, BROWN), can]))
+
+    assert sorted((thing.color, thing.call.kind) for thing in seen.things) == [
+        ("brown", "box"),
+        ("red", "can"),
+    ]

@@ -1,0 +1,1 @@
+"""Furniture that opens: where it stands, how far it is open, and where its handle is."""
