@@ -73,6 +73,7 @@ class PerceptionStub:
 
     Attributes:
         faults: Further errors, to be injected by tests and evaluations.
+        silences: None: nobody else is asked what things are called.
     """
 
     def __init__(
@@ -84,6 +85,7 @@ class PerceptionStub:
         rng: np.random.Generator,
     ) -> None:
         self.faults = StubFaults()
+        self.silences: tuple[str, ...] = ()
         self._truth = truth
         self._camera = camera
         self._model = model

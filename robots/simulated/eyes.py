@@ -26,6 +26,11 @@ class SimulatedPerception(Detector, Protocol):
         """Errors beyond those that are declared."""
         ...
 
+    @property
+    def silences(self) -> tuple[str, ...]:
+        """Why some who were asked what things are called could tell nothing, each reason once."""
+        ...
+
     def tick(self) -> None:
         """One control period has passed."""
         ...

@@ -79,6 +79,7 @@ class CameraPerception:
     Attributes:
         faults: Errors beyond the camera's own, injected by tests and evaluations.
         looked_s: Processor time that the pictures took, beside drawing, each.
+        silences: Why some who were asked what things are called could tell nothing, each reason once.
 
     Raises:
         DescriptionError: The robot has no camera for pictures.
@@ -99,6 +100,7 @@ class CameraPerception:
     ) -> None:
         self.faults = CameraFaults()
         self.looked_s: list[float] = []
+        self.silences: tuple[str, ...] = ()
         self._camera = picture_camera(robot)
         self._physics, self._clock, self._believed, self._waits = physics, clock, believed, waits
         self._light = scene.light
@@ -174,6 +176,8 @@ class CameraPerception:
         self._asked = False
         if isinstance(answer, Answer):
             self.looked_s.append(answer.looked_s)
+            if answer.silence and answer.silence not in self.silences:
+                self.silences += (answer.silence,)
             self._pending.append(self._displaced(answer.frame))
 
     def _displaced(self, frame: PerceptionFrame) -> PerceptionFrame:

@@ -17,6 +17,7 @@ import numpy as np
 from robots.clock import ProcessorClock
 from robots.models.description import load_robot
 from robots.perception.detector import PerceptionFrame
+from robots.perception.labels.naming import Labellers
 from robots.perception.rgbd.eyes import Eyes
 from robots.perception.rgbd.picture import Picture
 from robots.perception.rgbd.watch import TOLD, PictureWatch
@@ -42,7 +43,8 @@ class CameraProcess:
         self._camera = robot.hardware.cameras[0]
         self._studio = Studio(robot, setup.scene, (self._camera.width_px, self._camera.height_px))
         self._lens = Lens(self._camera, (setup.seed, 0))
-        self._eyes, self._watch = _eyes(setup), PictureWatch()
+        self._labellers = setup.labelling.labeller()
+        self._eyes, self._watch = _eyes(setup, self._labellers), PictureWatch()
         self._processor = ProcessorClock()
         self._last: tuple[Any, Any] | None = None
 
@@ -76,11 +78,11 @@ class CameraProcess:
             frame = self._eyes.detect(picture, shot.sequence)
         else:
             frame = PerceptionFrame(shot.stamp_s, shot.sequence, (), TOLD[trouble])
-        return Answer(frame, self._processor.now_s() - began)
+        silence = "" if self._labellers is None else self._labellers.trouble
+        return Answer(frame, self._processor.now_s() - began, silence)
 
 
-def _eyes(setup: Setup) -> Eyes:
-    labellers = setup.labelling.labeller()
+def _eyes(setup: Setup, labellers: Labellers | None) -> Eyes:
     if labellers is None:
         return Eyes(setup.known)
     return Eyes(setup.known, labellers, setup.labelling.asked(labellers))
