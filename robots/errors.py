@@ -5,7 +5,8 @@ RobotsError
 ├── DescriptionError        a robot's data that is missing or contradicts its URDF
 ├── SceneError              a scene file that cannot be a world: file, key and reason
 ├── SetpointRefusedError    a setpoint that the gate refused reached the robot anyway
-└── RenderingUnavailableError  no OpenGL library for pictures
+├── RenderingUnavailableError  no OpenGL library for pictures
+└── SilentModelError        a model that was asked what pictures show gave no answer
 """
 
 from __future__ import annotations

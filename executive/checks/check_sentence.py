@@ -23,6 +23,7 @@ from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.pick import PickPlan
 from kinematics.requests.request import Request
+from robots.clock import WallClock
 from robots.models.description import load_robot_for_tasks
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
@@ -35,7 +36,10 @@ from trees.tasks import GoHomeTask, PickTask, Task
 from trees.toolbox import Job, Planned, Planning, Toolbox
 
 if TYPE_CHECKING:
+    from executive.front.front_model import FrontModel
     from trees.task_tree import TaskTree
+
+_LOOK_EVERY_S = 0.02
 
 
 def rehearse(
@@ -45,6 +49,7 @@ def rehearse(
     seed: int | None,
     trust: Trust = USUAL_TRUST,
     on_question: OnQuestion = "ask",
+    front: FrontModel | None = None,
 ) -> CheckReport:
     """Say what a sentence or a script would do.
 
@@ -59,6 +64,8 @@ def rehearse(
         seed: Of everything random. What is left out is the script's, else the usual.
         trust: How far a model's output is trusted.
         on_question: Whether the first choice is taken where a question is open; else it is told.
+        front: The language model in front, or None. What it makes of a sentence is told as the question that
+            a run would put, and judged where a run would not ask.
 
     Raises:
         UserError: The script cannot be one.
@@ -68,7 +75,7 @@ def rehearse(
     robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)
-    statements = script.statements
+    statements = script.statements if front is None else _proposed(front, script.statements)
     if on_question == "first":
         settled_ones = (settled(one, Nobody(), on_question, lambda _event: None) for one in statements)
         statements = tuple(one for one in settled_ones if isinstance(one, Statement))  # nobody cancels
@@ -96,6 +103,21 @@ def rehearse(
     outcome = _outcome(done.last)
     failure = None if done.last.failure is None else done.last.failure.to_json()
     return CheckReport(text, robot, scene, outcome, done.exit_code, done.line, notes, done.motions, failure)
+
+
+def _proposed(front: FrontModel, statements: Sequence[Statement]) -> tuple[Statement, ...]:
+    """What a model makes of those statements that are for it; nobody says yes to what it reads back."""
+    from executive.front.front_talk import FrontTalk
+
+    wall = WallClock()
+
+    def waiting() -> bool:
+        wall.sleep(_LOOK_EVERY_S)
+        return False
+
+    talk = FrontTalk(front, Nobody().answer, lambda _event: None, waiting)
+    settled_ones = (talk.settled(one) if talk.takes(one) else one for one in statements)
+    return tuple(one for one in settled_ones if isinstance(one, Statement))  # nobody cancels
 
 
 def _looked_at(

@@ -230,6 +230,8 @@ def _model(settings: ModelSettings) -> Finding:
     name = f"model {settings.name}"
     what = "every sentence goes" if settings.when == "always" else "what is not understood goes"
     detail = f"with --model {settings.name} {what} to {settings.url}, and what is seen with it"
+    if settings.sees:
+        detail += "; pictures of things that a camera sees go there, in every run with one"
     if importlib.util.find_spec("openai") is None:
         return Finding(name, False, detail, f'pip install "{_PRODUCT}[models]"', needed=False)
     if settings.key_env and not environment_value(settings.key_env):

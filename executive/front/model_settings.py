@@ -7,6 +7,7 @@ key_env = "HOUSE_KEY"
 when = "if_not_understood"
 timeout_s = 20.0
 attempts = 2
+sees = false
 """
 
 from __future__ import annotations
@@ -51,6 +52,7 @@ class ModelSettings:
         when: Whether every sentence is sent to it, or only those that the parser does not understand.
         timeout_s: Wall time that one answer may take.
         attempts: How often it may propose something else after what it proposed has failed.
+        sees: Whether it is asked what the camera's pictures show.
     """
 
     name: str
@@ -60,6 +62,7 @@ class ModelSettings:
     when: When = "if_not_understood"
     timeout_s: float = 30.0
     attempts: int = 2
+    sees: bool = False
 
 
 def _an_address(text: str) -> str:
@@ -95,6 +98,7 @@ class _ModelTable(StrictTable):
     when: When = "if_not_understood"
     timeout_s: Annotated[float, AfterValidator(_a_timeout)] = 30.0
     attempts: Annotated[int, AfterValidator(_a_count)] = 2
+    sees: bool = False
 
 
 def model_settings(files: Sequence[Path]) -> Mapping[str, ModelSettings]:
@@ -130,6 +134,22 @@ def model_called(name: str, files: Sequence[Path]) -> ModelSettings:
     close = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
     hint = f"the nearest is {close[0]!r}" if close else "no file of settings has a table [models.NAME]"
     raise ModelSettingsError(f"no model {name!r}; {hint}: docs/guides/models.md tells how one is set up")
+
+
+def model_that_sees(files: Sequence[Path]) -> ModelSettings | None:
+    """The settings of the model that is asked what pictures show; None where none is.
+
+    Args:
+        files: The user's configuration files.
+
+    Raises:
+        ModelSettingsError: There are several, or a file is wrong.
+    """
+    seeing = [one for one in model_settings(files).values() if one.sees]
+    if len(seeing) > 1:
+        names = " and ".join(repr(one.name) for one in seeing)
+        raise ModelSettingsError(f"{TABLE}: {names} have sees = true; one model alone is asked of pictures")
+    return seeing[0] if seeing else None
 
 
 def _wrong(file: Path, name: str, key: str, reason: str) -> ModelSettingsError:

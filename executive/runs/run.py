@@ -67,7 +67,7 @@ class Performance:
             report or a picture, could not be written.
         report: What it says.
         run_name: Name of the recorded run.
-        complaints: What could not be written.
+        complaints: What could not be written, and who could not say what things are called.
     """
 
     line: str
@@ -125,6 +125,7 @@ def _performed(
     settings = request.settings or robot_settings(config_files())
     request = replace(request, settings=replace(settings, begins=settings.begins or local_time()))
     scene = _preflight(request)
+    labelling = _labelling(request, scene)
     pictures = _pictures(request)
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     subject = RunSubject(request.input, request.robot, request.scene, request.seed)
@@ -132,8 +133,8 @@ def _performed(
     with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
         account = RunAccount(subject, log, display.event, *([] if on_event is None else [on_event]))
         keep = log if request.keep_trajectories else None
-        results, checked = _results(
-            request, scene, attendant, account.hear, display, pictures, keep, ending, on_assembly
+        results, checked, silences = _results(
+            request, scene, labelling, attendant, account.hear, display, pictures, keep, ending, on_assembly
         )
         line, outcome, code = verdict(request.statements, results)
         report = account.close((line, outcome, code), results, checked)
@@ -142,7 +143,7 @@ def _performed(
     broken_off = [] if log.complaint is None else [log.complaint]
     if code is ExitCode.DONE and (lacking or (request.keep_trajectories and broken_off)):
         code = ExitCode.FAILED
-    return Performance(line, code, report, log.name, (*broken_off, *lacking))
+    return Performance(line, code, report, log.name, (*broken_off, *lacking, *silences))
 
 
 def _header(request: RunRequest) -> dict[str, Any]:
@@ -190,6 +191,13 @@ def _preflight(request: RunRequest) -> SceneDescription:
     return scene
 
 
+def _labelling(request: RunRequest, scene: SceneDescription) -> Labelling:
+    """Who is asked what things are called: beside what was shown, a model where there is one that sees."""
+    asked = request.seeing if scene.perception.kind == "rgbd" else None
+    model = None if asked is None else asked()
+    return Labelling(shown_directory(), packages=True, model=model, words=scene.perception.labels)
+
+
 def _pictures(request: RunRequest) -> Pictures | None:
     if request.snapshot is None and request.video is None:
         return None
@@ -201,6 +209,7 @@ def _pictures(request: RunRequest) -> Pictures | None:
 def _results(
     request: RunRequest,
     scene: SceneDescription,
+    labelling: Labelling,
     attendant: Attendant,
     sink: EventSink,
     display: Display,
@@ -208,8 +217,12 @@ def _results(
     keep: RunLog | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
-) -> tuple[list[Said], int]:
-    """Run every statement; one that is not understood, and not expected so, stops all before it moves."""
+) -> tuple[list[Said], int, tuple[str, ...]]:
+    """Run every statement; one that is not understood, and not expected so, stops all before it moves.
+
+    Returns:
+        The results, how many motions were checked, and who could not say what things are called.
+    """
 
     def cancelled() -> Failure | None:
         return ending.cancellation.taken(0.0, sink)
@@ -226,9 +239,9 @@ def _results(
 
     statements, instead = settle_all(request.statements, settle, sink)
     if instead:
-        return instead, 0
+        return instead, 0, ()
     if (ended := cancelled()) is not None:
-        return [(statements[0], [not_begun(statements[0], ended)])], 0
+        return [(statements[0], [not_begun(statements[0], ended)])], 0, ()
     from executive.session.assembly import assemble, plan_faults
 
     def judged(asked: CheckRequest, answer: CheckedTrajectory | Unsafe) -> None:
@@ -246,13 +259,13 @@ def _results(
         on_judged=judged,
         identity=settings.identity,
         calendar=Calendar(settings.begins or USUAL_START),
-        labelling=Labelling(shown_directory(), packages=True, words=scene.perception.labels),
+        labelling=labelling,
     )
     plan_faults(assembly.world, request.faults)
     on_assembly(assembly)
     attendant.begin(assembly.session)
     if (ended := cancelled()) is not None:
-        return [(statements[0], [not_begun(statements[0], ended)])], 0
+        return [(statements[0], [not_begun(statements[0], ended)])], 0, ()
     if pictures is not None:
         pictures.begin(assembly.world)
         assembly.session.watch_periods(pictures.tick)
@@ -267,7 +280,7 @@ def _results(
     if pictures is not None:
         assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
-    return results, assembly.planning.checked
+    return results, assembly.planning.checked, assembly.perception.silences
 
 
 def _talk(

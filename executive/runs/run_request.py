@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from executive.front.front_model import FrontModel
     from executive.robot_settings import RobotSettings
     from executive.understanding.statement import Statement
+    from robots.perception.labels.asking import AskAboutPictures
 
 DEFAULT_ROBOT = "talos"
 DEFAULT_SCENE = "tabletop"
@@ -41,6 +43,8 @@ class RunRequest:
         faults: What goes wrong on purpose in the simulated world, for tests and evaluations.
         front: The language model in front, or None.
         perception: "stub" or "rgbd", whatever the scene says; None is what it says.
+        seeing: Makes what asks a model what the camera's pictures show, where a user has set one up; called
+            before anything moves, and only for a run with a camera. None asks nobody.
         settings: What the robot says of itself, and when its day begins; None is what the user's files say.
     """
 
@@ -63,3 +67,4 @@ class RunRequest:
     front: FrontModel | None = None
     settings: RobotSettings | None = None
     perception: str | None = None
+    seeing: Callable[[], AskAboutPictures | None] | None = None

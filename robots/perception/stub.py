@@ -75,6 +75,7 @@ class PerceptionStub:
     Attributes:
         faults: Further errors, to be injected by tests and evaluations.
         cameras: Others, which stand in the room; they go on with this one.
+        silences: None: nobody else is asked what things are called.
     """
 
     def __init__(
@@ -87,6 +88,7 @@ class PerceptionStub:
     ) -> None:
         self.faults = StubFaults()
         self.cameras: tuple[PerceptionStub, ...] = ()
+        self.silences: tuple[str, ...] = ()
         self._truth = truth
         self._camera = camera
         self._model = model

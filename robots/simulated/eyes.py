@@ -45,6 +45,11 @@ class SimulatedPerception(SimulatedCamera, Protocol):
         """Those that stand in the room, in the scene's order."""
         ...
 
+    @property
+    def silences(self) -> tuple[str, ...]:
+        """Why some who were asked what things are called could tell nothing, each reason once."""
+        ...
+
     def tick(self) -> None:
         """One control period has passed."""
         ...

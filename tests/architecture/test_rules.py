@@ -43,8 +43,6 @@ ELSEWHERE = ("tools.benchmark.peers.runners", "executive.doors.ros.node", "tools
 SECRETS = ("executive.doors.mcp.serving", "executive.doors.view.access")
 # The one place that opens sockets, and no others than those of this machine.
 LOCAL_SOCKETS = "robots.live.wire.unix_socket"
-# Who asks a model what a picture shows, where a user has set one up: in the camera's own process.
-ASKS_A_MODEL = "robots.perception.labels.vision_model"
 # The one place that speaks over a network, to the server that a user has named.
 MODEL_CLIENT = "executive.doors.model.client"
 # Clients of this program's own MCP server, on loopback.
@@ -105,7 +103,6 @@ def wrong_library(module: Module) -> list[str]:
         mine |= module.name == MODEL_CLIENT and name == "httpx2"
         mine |= _within(module.name, (MCP_CLIENTS,)) and name == "httpx2"
         mine |= module.name == SCRIPTED and _within(name, ("http.server",))
-        mine |= module.name == ASKS_A_MODEL and name == "urllib.request"
         if _within(name, NETWORK) and not mine:
             found.append(f"{module.file}:{line}: nothing here speaks over a network ({name})")
     if module.name == LOCAL_SOCKETS:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Annotated
 
@@ -11,10 +12,12 @@ import typer
 from executive.cli.commands.choices import (
     ConfidenceOption,
     ConfigOption,
+    ModelOption,
     OnQuestionChoice,
     OnQuestionOption,
     PolicyChoice,
     PolicyOption,
+    YesOption,
     not_empty,
     number_from,
     whole_number_from,
@@ -65,6 +68,8 @@ def check(
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
     config: ConfigOption = None,
+    model: ModelOption = None,
+    yes: YesOption = False,
     plain: Annotated[bool, typer.Option("--plain", help="Lines, as always here.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
 ) -> None:
@@ -83,7 +88,15 @@ def check(
     else:
         from executive.checks.check_sentence import rehearse
 
-        answer = rehearse(text, robot, scene, seed, Trust(confidence, policy.value), on_question.value)
+        trust = Trust(confidence, policy.value)
+        with ExitStack() as closing:
+            front = None
+            if model is not None:
+                from executive.doors.model.front_model import front_model
+
+                front, asker = front_model(model, trust, reads_back=not yes)
+                closing.enter_context(asker)
+            answer = rehearse(text, robot, scene, seed, trust, on_question.value, front)
     lost: list[NotWritableError] = []
     try:
         if report is not None:

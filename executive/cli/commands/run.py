@@ -42,6 +42,7 @@ from executive.trust import THRESHOLD, Trust
 if TYPE_CHECKING:
     from executive.dialogue.attendant import Attendant
     from executive.screens.display import Display
+    from robots.perception.labels.asking import AskAboutPictures
 
 
 def run(
@@ -155,6 +156,7 @@ def run(
         junit=junit,
         front=front,
         perception=None if perception is None else perception.value,
+        seeing=_seeing_model,
     )
     cancellation = Cancellation()
     compile_kernel(lambda line: None if quiet else typer.echo(line, err=True))
@@ -171,6 +173,13 @@ def run(
         typer.echo(f"executive: {complaint}", err=True)
     tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
+
+
+def _seeing_model() -> AskAboutPictures | None:
+    """The model that is asked what pictures show, where a user has set one up."""
+    from executive.doors.model.seeing_model import seeing_model
+
+    return seeing_model()
 
 
 def _refuse_with(door: str, **given: object) -> None:

@@ -6,6 +6,8 @@ every motion.
 
 from __future__ import annotations
 
+import importlib.metadata
+
 from mcp.server import MCPServer
 
 from executive.doors.mcp.commanding import add_commanding_tools
@@ -13,6 +15,7 @@ from executive.doors.mcp.lease import Lease
 from executive.doors.mcp.reading import add_reading_tools, add_resources
 from executive.doors.served_robot import RESET_IS_A_PERSONS, ServedRobot
 
+_PRODUCT = "humanoid-executive"
 _INSTRUCTIONS = (
     "A humanoid robot. It takes sentences of a plain command language ('pick up the red cup on the table', "
     "'walk to the kitchen and open the fridge'). check_command tells what a sentence is understood as; "
@@ -29,8 +32,18 @@ def mcp_server(robot: ServedRobot, lease: Lease) -> MCPServer[None]:
         robot: The served robot behind it.
         lease: Ends tasks that no client asks about any more.
     """
-    server: MCPServer[None] = MCPServer("humanoid-executive", instructions=_INSTRUCTIONS, log_level="ERROR")
+    server: MCPServer[None] = MCPServer(
+        _PRODUCT, version=_version(), instructions=_INSTRUCTIONS, log_level="ERROR"
+    )
     add_reading_tools(server, robot)
     add_commanding_tools(server, robot, lease)
     add_resources(server, robot)
     return server
+
+
+def _version() -> str:
+    """The product's; none where it is run from its source and not installed."""
+    try:
+        return importlib.metadata.version(_PRODUCT)
+    except importlib.metadata.PackageNotFoundError:
+        return ""

@@ -1,14 +1,13 @@
 """One request to an OpenAI-compatible server: what it answers is read to a bound, and every ending is typed.
 
-The only module that speaks to such a server. It follows no redirection, tries nothing a second time, and
-tells the server nothing of this machine.
+The only module that speaks to such a server. It follows no redirection, heeds no proxy of the environment,
+tries nothing a second time, and tells the server nothing of this machine.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from typing import Any
-from urllib.parse import urlsplit
 
 import httpx2
 import openai
@@ -25,7 +24,6 @@ MOST_TOKENS = 1_000
 
 _OF_THIS_MACHINE = ("Lang", "Package-Version", "OS", "Arch", "Runtime", "Runtime-Version", "Async")
 _NO_KEY = "none"
-_LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
 class ModelClient:
@@ -39,7 +37,6 @@ class ModelClient:
     def __init__(self, settings: ModelSettings, key: str) -> None:
         self._settings, self._wall = settings, WallClock()
         self._headers = _headers(bool(key))
-        local = urlsplit(settings.url).hostname in _LOOPBACK
         self._client = openai.OpenAI(
             base_url=settings.url,
             api_key=key or _NO_KEY,
@@ -47,17 +44,33 @@ class ModelClient:
             project="",
             max_retries=0,
             timeout=settings.timeout_s,
-            http_client=openai.DefaultHttpxClient(follow_redirects=False, trust_env=not local),
+            http_client=openai.DefaultHttpxClient(follow_redirects=False, trust_env=False),
         )
 
+    def close(self) -> None:
+        """Close its connections."""
+        self._client.close()
+
     def ask(self, messages: Sequence[Mapping[str, str]]) -> str | ModelFailure:
-        """The text of the model's answer, or why there is none.
+        """The text of the model's answer, of the form of strict output, or why there is none.
 
         Args:
             messages: Role and content of each.
         """
+        form = {"name": NAME, "strict": True, "schema": strict_output_schema()}
+        return self._typed(messages, {"type": "json_schema", "json_schema": form})
+
+    def ask_about(self, content: Sequence[Mapping[str, Any]]) -> str | ModelFailure:
+        """The text of the model's answer, of any form, or why there is none.
+
+        Args:
+            content: Parts of one message: texts and pictures.
+        """
+        return self._typed([{"role": "user", "content": [dict(part) for part in content]}], openai.omit)
+
+    def _typed(self, messages: Sequence[Mapping[str, Any]], form: Any) -> str | ModelFailure:
         try:
-            return self._asked(messages)
+            return self._asked(messages, form)
         except openai.APITimeoutError:
             return self._too_slow()
         except openai.APIConnectionError as wrong:
@@ -77,15 +90,13 @@ class ModelClient:
         except openai.OpenAIError as wrong:
             return ModelFailure.of(ModelFailureKind.SERVER_ERROR, type(wrong).__name__)
 
-    def _asked(self, messages: Sequence[Mapping[str, str]]) -> str | ModelFailure:
+    def _asked(self, messages: Sequence[Mapping[str, Any]], form: Any) -> str | ModelFailure:
         until_s = self._wall.now_s() + self._settings.timeout_s
-        form = {"name": NAME, "strict": True, "schema": strict_output_schema()}
         sent: Any = [dict(message) for message in messages]
-        form_of_answer: Any = {"type": "json_schema", "json_schema": form}
         with self._client.chat.completions.with_streaming_response.create(
             model=self._settings.model,
             messages=sent,
-            response_format=form_of_answer,
+            response_format=form,
             temperature=0.0,
             max_tokens=MOST_TOKENS,
             extra_headers=self._headers,

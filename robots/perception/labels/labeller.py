@@ -44,6 +44,11 @@ class Labeller(Protocol):
         """The words that it can tell; None: any that it is asked for."""
         ...
 
+    @property
+    def trouble(self) -> str:
+        """Why it could tell nothing when it was asked last; empty else."""
+        ...
+
     def scores(self, image: Image, boxes: Boxes, words: Sequence[str]) -> Array:
         """How well each word fits what each box shows.
 

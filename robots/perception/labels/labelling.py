@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from robots.perception.labels.asking import AskAboutPictures
 from robots.perception.labels.labeller import Labeller
-from robots.perception.labels.model_address import VisionModel
 from robots.perception.labels.naming import Labellers
 from robots.perception.labels.outside import outside_labellers
 
@@ -18,13 +18,13 @@ class Labelling:
     Attributes:
         shown: Folder of things that were shown; None for none.
         packages: Whether detectors of other installed packages are asked.
-        model: A model that is asked; None for none.
+        model: Asks a model; None for none.
         words: What those are asked for that can tell any word.
     """
 
     shown: Path | None = None
     packages: bool = False
-    model: VisionModel | None = None
+    model: AskAboutPictures | None = None
     words: tuple[str, ...] = ()
 
     def labeller(self) -> Labellers | None:

@@ -56,6 +56,11 @@ class Labellers:
             return None
         return frozenset(word for words in every if words is not None for word in words)
 
+    @property
+    def trouble(self) -> str:
+        """What those told who could tell nothing when they were asked last."""
+        return "; ".join(filter(None, (member.trouble for member in self._members)))
+
     def scores(self, image: Image, boxes: Boxes, words: Sequence[str]) -> Array:
         """Of each word the score of the first labeller that knows it; see ``Labeller``."""
         found = np.zeros((len(boxes), len(words)))

@@ -67,6 +67,11 @@ class DetectorLabeller:
         """The words that it can tell; None: any."""
         return self._words
 
+    @property
+    def trouble(self) -> str:
+        """None: what it raises is raised."""
+        return ""
+
     def scores(self, image: Image, boxes: Boxes, words: Sequence[str]) -> Array:
         """Of each box and word, the best score of what was found there; see ``Labeller``."""
         told = np.zeros((len(boxes), len(words)))

@@ -45,6 +45,11 @@ class ShownLabeller:
         """The names of what was shown."""
         return frozenset(self._names)
 
+    @property
+    def trouble(self) -> str:
+        """None, ever."""
+        return ""
+
     def scores(self, image: Image, boxes: Boxes, words: Sequence[str]) -> Array:
         """How surely each box shows each thing; see ``Labeller``."""
         found = np.zeros((len(boxes), len(words)))

@@ -1,11 +1,9 @@
-"""Asks a model behind an OpenAI-compatible address what crops of a picture show."""
+"""Has a model say what crops of a picture show."""
 
 from __future__ import annotations
 
 import base64
 import json
-import urllib.error
-import urllib.request
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,11 +11,11 @@ import cv2
 import numpy as np
 
 from kinematics.arrays import Array
+from robots.perception.labels.asking import AskAboutPictures, SilentModelError
 from robots.perception.labels.labeller import Boxes, Image
-from robots.perception.labels.model_address import VisionModel
 
-MOST_BYTES = 65_536
-"""Of an answer."""
+_MOST_FAILURES = 3
+"""Questions in a row without a good answer, after which a model is asked no more: each may take its time."""
 _MOST_BOXES = 16
 _SAME_SHARE = 0.75
 _REMEMBERED = 64
@@ -30,25 +28,20 @@ _PROMPT = (
 )
 
 
-class _Unredirected(urllib.request.HTTPRedirectHandler):
-    def redirect_request(self, *_args: Any, **_more: Any) -> None:
-        """Follow nothing."""
-
-
 class VisionLabeller:
     """A ``Labeller`` that asks a model once for each thing, and keeps the answer while that stays in place.
 
-    A model that cannot be reached, or answers something else, tells nothing: the others go on.
+    A model that gives no answer, or another than was asked for, tells nothing: the others go on.
 
     Args:
-        settings: Where the model is.
+        ask: Asks the model.
 
     Attributes:
-        trouble: Why the last question had no answer; empty else.
+        trouble: Why the last question had no good answer; empty else.
     """
 
-    def __init__(self, settings: VisionModel) -> None:
-        self._settings = settings
+    def __init__(self, ask: AskAboutPictures) -> None:
+        self._ask, self._failures = ask, 0
         self._known: list[tuple[tuple[str, ...], Array, Array, Array]] = []
         self.trouble = ""
 
@@ -69,7 +62,7 @@ class VisionLabeller:
                 new.append((k, look))
             elif answer is not None:
                 told[k] = answer
-        if new:
+        if new and self._failures < _MOST_FAILURES:
             answers = self._asked(image, boxes, [k for k, _ in new], asked)
             if answers is not None:
                 for (k, look), row in zip(new, answers, strict=True):
@@ -91,33 +84,17 @@ class VisionLabeller:
             {"type": "text", "text": _PROMPT.format(labels=json.dumps([*words, "none"]))}
         ]
         content += [{"type": "image_url", "image_url": {"url": _crop_url(image, boxes, k)}} for k in which]
-        body = {
-            "model": self._settings.model,
-            "temperature": 0.0,
-            "max_tokens": 800,
-            "messages": [{"role": "user", "content": content}],
-        }
-        headers = {"Content-Type": "application/json"}
-        if self._settings.key:
-            headers["Authorization"] = f"Bearer {self._settings.key}"
-        request = urllib.request.Request(
-            f"{self._settings.url}/chat/completions", json.dumps(body).encode(), headers
-        )
         try:
-            opener = urllib.request.build_opener(_Unredirected)
-            with opener.open(request, timeout=self._settings.timeout_s) as response:
-                raw = response.read(MOST_BYTES + 1)
-            if len(raw) > MOST_BYTES:
-                raise ValueError(f"more than {MOST_BYTES} bytes")
-            answers = _answers(raw, len(which), words)
-        except (OSError, ValueError, urllib.error.URLError) as wrong:
-            self.trouble = f"the model at {self._settings.url} tells nothing: {wrong}"
+            answers = _answers(self._ask(content), len(which), words)
+        except (SilentModelError, ValueError) as wrong:
+            self._failures += 1
+            self.trouble = f"what things are called is not told by a model: {wrong}"
             return None
-        self.trouble = ""
+        self._failures, self.trouble = 0, ""
         return answers
 
 
-def _answers(raw: bytes, count: int, words: tuple[str, ...]) -> Array:
+def _answers(text: str, count: int, words: tuple[str, ...]) -> Array:
     """The scores in an answer, which is untrusted.
 
     Raises:
@@ -125,14 +102,13 @@ def _answers(raw: bytes, count: int, words: tuple[str, ...]) -> Array:
     """
     told = np.zeros((count, len(words)))
     try:
-        text = json.loads(raw)["choices"][0]["message"]["content"]
         answers = json.loads(text[text.index("{") : text.rindex("}") + 1])["answers"]
         for answer in answers:
             number, label, score = int(answer["picture"]), str(answer["label"]), float(answer["score"])
             if 1 <= number <= count and label in words and 0.0 <= score <= 1.0:
                 told[number - 1, words.index(label)] = score
-    except (KeyError, IndexError, TypeError, AttributeError) as wrong:
-        raise ValueError(f"its answer has another form: {wrong!r}") from None
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as wrong:
+        raise ValueError(f"its answer has another form: {type(wrong).__name__}") from None
     return told
 
 

@@ -43,6 +43,7 @@ class CameraPerception:
 
     Attributes:
         cameras: Those that stand in the room, in the scene's order; each a ``Detector`` of its own.
+        silences: Why some who were asked what things are called could tell nothing, each reason once.
 
     Raises:
         DescriptionError: The robot has no camera for pictures.
@@ -62,6 +63,7 @@ class CameraPerception:
         labelling: Labelling = BY_SHAPE,
     ) -> None:
         self._waits = waits
+        self.silences: tuple[str, ...] = ()
         map_rng, seed_rng = rng.spawn(2)
         setup = Setup(
             robot.description.name,
@@ -126,7 +128,13 @@ class CameraPerception:
 
     def _take_answer(self) -> None:
         answer = self._received()
-        self._under_way.popleft().take(answer if isinstance(answer, Answer) else None)
+        feed = self._under_way.popleft()
+        if not isinstance(answer, Answer):
+            feed.take(None)
+            return
+        if answer.silence and answer.silence not in self.silences:
+            self.silences += (answer.silence,)
+        feed.take(answer)
 
     def _ask(self, question: object) -> Any:
         self._pipe.send(question)

@@ -101,7 +101,9 @@ class Answer:
     Attributes:
         frame: What was found.
         looked_s: Processor time from picture to detections, beside drawing.
+        silence: Why somebody who is asked what things are called could tell nothing; empty else.
     """
 
     frame: PerceptionFrame
     looked_s: float
+    silence: str = ""

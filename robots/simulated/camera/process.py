@@ -20,6 +20,7 @@ from robots.clock import ProcessorClock
 from robots.interface.depth_camera import DepthCamera
 from robots.models.description import load_robot
 from robots.perception.detector import PerceptionFrame
+from robots.perception.labels.naming import Labellers
 from robots.perception.rgbd.eyes import Eyes
 from robots.perception.rgbd.picture import Colors, Depths, Picture
 from robots.perception.rgbd.watch import TOLD, PictureWatch
@@ -70,7 +71,8 @@ class CameraProcess:
             _Post(camera, place, Lens(camera, (setup.seed, number)))
             for number, (camera, place) in enumerate(zip(cameras, places, strict=True))
         ]
-        self._eyes = _eyes(setup)
+        self._labellers = setup.labelling.labeller()
+        self._eyes = _eyes(setup, self._labellers)
         self._processor = ProcessorClock()
 
     @property
@@ -105,11 +107,11 @@ class CameraProcess:
             frame = self._eyes.detect(picture, shot.sequence)
         else:
             frame = PerceptionFrame(shot.stamp_s, shot.sequence, (), TOLD[trouble])
-        return Answer(frame, self._processor.now_s() - began)
+        silence = "" if self._labellers is None else self._labellers.trouble
+        return Answer(frame, self._processor.now_s() - began, silence)
 
 
-def _eyes(setup: Setup) -> Eyes:
-    labellers = setup.labelling.labeller()
+def _eyes(setup: Setup, labellers: Labellers | None) -> Eyes:
     if labellers is None:
         return Eyes(setup.known)
     return Eyes(setup.known, labellers, setup.labelling.asked(labellers))

@@ -35,3 +35,11 @@ def test_a_table_that_is_wrong_is_told(monkeypatch, tmp_path):
 
     assert not found.ok
     assert "models.house.url: is missing" in found.detail
+
+
+def test_where_pictures_go_is_told(monkeypatch, tmp_path):
+    table = '[models.house]\nurl = "http://127.0.0.1:1/v1"\nmodel = "m"\nsees = true\n'
+
+    [found] = models(monkeypatch, tmp_path, table)
+
+    assert "pictures of things that a camera sees go there" in found.detail

@@ -19,13 +19,15 @@ from robots.live.wire.messages import GetStatus, Hello, Shutdown, write_control_
 from robots.live.wire.state_slot import StateSlotReader
 from tools.evaluate.scenes import SENTENCE, pick_scene
 
+OPEN_FLOOR = "robot_start = { x_m = 0.0, y_m = 0.0, yaw_rad = 0.0 }\n"
+"""A scene with nothing in it."""
+OVERLOADED = "control periods late"
+"""In the refusal of a task that a machine is too busy for."""
 _MOTIONS = 7
 """Motions of a pick: looks, openings, reach, approach, closing, lift."""
 _TASK_WALL_S = 400.0
 _LOOK_S = 0.001
 _TRIES = 20
-_OVERLOADED = "control periods late"
-"""In the refusal of a task that a machine is too busy for."""
 
 
 class ServedRobot:
@@ -33,6 +35,7 @@ class ServedRobot:
 
     Attributes:
         service: The processes.
+        runs: Where its runs are recorded.
         events: The control layer's events so far.
         now_s: Control time at the last look.
         resting: Whether the body rested then.
@@ -66,13 +69,13 @@ class ServedRobot:
         file = folder / "scene.toml"
         file.write_text(pick_scene(seed, None) if scene is None else scene, "utf-8")
         self._wall = WallClock()
-        self.pace = pace
+        self.pace, self.runs = pace, folder / "runs"
         request = ServiceRequest(
             folder / "live",
             robot,
             os.fspath(file),
             seed,
-            folder / "runs",
+            self.runs,
             pace,
             realtime,
             evaluation=True,
@@ -190,7 +193,7 @@ class ServedRobot:
         for _ in range(_TRIES):
             result.clear()
             self.send(sentence).listen(take, _TASK_WALL_S)
-            if _OVERLOADED not in str(result.get("text")):
+            if OVERLOADED not in str(result.get("text")):
                 break
             self.wait(self.keeps_up, "the control process keeps up")
         return int(result.get("exit_code", 70)), str(result.get("text", result))
@@ -225,7 +228,7 @@ class ServedRobot:
             LiveError: It was not done.
         """
         self.results()
-        if self._ended and _OVERLOADED in self._ended[0]["text"]:  # the machine, not the robot: say it again
+        if self._ended and OVERLOADED in self._ended[0]["text"]:  # the machine, not the robot: say it again
             self._ended.clear()
             self.wait(self.keeps_up, "the control process keeps up")
             self.send()

@@ -1,7 +1,8 @@
 """Suite ``mcp-fuzz``: random and nearly fitting calls of every tool, and bodies that are no calls.
 
 Every answer must be a result or an error that says what is wrong, nothing may move, and the server must go on
-with steady memory. ``--episodes N`` makes N hundred calls, a twentieth of them as mutated bytes.
+with steady memory. ``--episodes N`` makes N hundred calls, a twentieth of them as mutated bytes. Clients of
+the newer and of the older protocol take turns, so that the first tenth of the calls has used everything once.
 """
 
 from __future__ import annotations
@@ -28,13 +29,14 @@ from tools.evaluate.live.served_robot import ServedRobot
 from tools.evaluate.mcp.arguments import ArgumentMaker
 from tools.evaluate.mcp.door import McpDoor
 
-GROWTH = 0.05
+GROWTH = 0.02
 """Resident memory may grow by this share from the first tenth of the calls to the last."""
 _CALLS = 100
 _BYTES_SHARE = 0.05
 _STOP_SHARE = 0.1
 """Of calls of ``stop``, to one of another tool: each that latches is reset, which takes its time."""
 _LOOKS = 50
+_ROUNDS = 10
 _LEASE_S = 60.0
 _AFTERWARDS = "wait for 0.2 seconds"
 _TRACES = ("Traceback (most recent call last)", 'File "/', "site-packages")
@@ -116,9 +118,10 @@ class _Campaign:
     async def run(self, count: int) -> FuzzRecord:
         """Make so many calls; what begins afterwards is proper, and is carried out."""
         began = self._robot.started
-        for kind in ("http", "http, legacy"):
+        for turn in range(2 * _ROUNDS):
+            kind = ("http", "http, legacy")[turn % 2]
             async with self._door.client(kind, "fuzz") as client:
-                await self._call_all(client, count // 2, count)
+                await self._call_all(client, count // (2 * _ROUNDS), count)
         self._record.motions = self._robot.started - began
         self._record.fallen = self._robot.fallen()
         async with self._door.client("http", "proper") as client:
@@ -133,9 +136,10 @@ class _Campaign:
         weights = np.array([_STOP_SHARE if name == "stop" else 1.0 for name, _ in makers])
         shares = weights / weights.sum()
         async with httpx2.AsyncClient(headers=self._door.headers, timeout=60.0) as http:
-            for index in range(count):
-                if index % max(1, all_ // _LOOKS) == 0:
-                    self._note(index, count)
+            for _ in range(count):
+                made = self._record.calls.total()
+                if made % max(1, all_ // _LOOKS) == 0:
+                    self._note(made, all_)
                 if self._rng.random() < _BYTES_SHARE:
                     await self._send_bytes(http)
                 else:

@@ -9,10 +9,8 @@ from pathlib import Path
 from types import TracebackType
 
 from robots.live.wire.errors import LiveError
-from tools.evaluate.live.served_robot import ServedRobot
+from tools.evaluate.live.served_robot import OPEN_FLOOR, ServedRobot
 
-OPEN_FLOOR = "robot_start = { x_m = 0.0, y_m = 0.0, yaw_rad = 0.0 }\n"
-"""A scene with nothing in it."""
 _FIRST_DOMAIN, _DOMAINS = 50, 50
 _ENDS_WITHIN_S = 10.0
 

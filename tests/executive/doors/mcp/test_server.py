@@ -1,5 +1,7 @@
 """The MCP server, with the SDK's own client in front and a desk behind."""
 
+from importlib.metadata import version
+
 import anyio
 import pytest
 from mcp import Client, MCPError
@@ -42,6 +44,14 @@ def test_there_are_few_tools_and_none_resets(served):
 
     tools = talk(served, dialogue)
     assert tools == {"look", "check_command", "start_task", "task_status", "answer", "cancel", "stop"}
+
+
+def test_the_server_says_its_name_and_the_version_of_the_product(served):
+    async def dialogue(client):
+        return client.server_info
+
+    told = talk(served, dialogue)
+    assert (told.name, told.version) == ("humanoid-executive", version("humanoid-executive"))
 
 
 def test_what_is_believed_comes_with_a_picture(served):

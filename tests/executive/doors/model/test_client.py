@@ -101,3 +101,13 @@ def test_a_server_that_is_not_there_is_told_with_its_address():
 
     assert failure.kind is ModelFailureKind.UNREACHABLE
     assert "http://127.0.0.1:9/v1" in failure.reason
+
+
+def test_no_proxy_of_the_environment_is_heeded(monkeypatch):
+    with ScriptedServer(saying("hello"), sleep=time.sleep) as proxy:
+        for name in ("HTTP_PROXY", "http_proxy", "ALL_PROXY", "all_proxy"):
+            monkeypatch.setenv(name, proxy.url.removesuffix("/v1"))
+        answer = ModelClient(ModelSettings("house", "http://127.0.0.2:9/v1", "m"), "").ask(MESSAGES)
+
+    assert not proxy.requests
+    assert answer.kind is ModelFailureKind.UNREACHABLE
