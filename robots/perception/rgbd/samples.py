@@ -38,7 +38,8 @@ class Samples(InFloat64):
         pixels: How many each piece has, shape (k,).
         boxes: First column and row, and those after the last, shape (k, 4).
         cut: Share of a piece's outline that ends behind something nearer.
-        border: Share of it that ends at the edge of the picture.
+        border: Share of it that ends where nothing is measured: at the edge of the picture, or where it is too
+            near for the camera.
     """
 
     points: Array
@@ -153,13 +154,13 @@ def _outline(
         apart = within & (labels[oy, ox] != whose)
         own.append(apart & (beyond > shown + np.float32(_BEHIND_M)))
         hidden.append(apart & (beyond > 0.0) & (beyond < shown - np.float32(_BEHIND_M)))
-        outside.append(~within)
         # returns are missing on both sides of an edge: it is in the middle of the gap
         gap, still = np.zeros(len(here_y), np.float32), np.ones(len(here_y), np.int32)
         for step in range(1, _BEYOND_PX):
             gy, gx = np.clip(here_y + step * dy, 0, rows - 1), np.clip(here_x + step * dx, 0, columns - 1)
             still = still * lost[gy, gx]
             gap += still
+        outside.append(~within | ((still > 0) & (beyond <= 0.0)))
         us.append(here_x + dx * (np.float32(0.5) + np.float32(0.5) * gap))
         vs.append(here_y + dy * (np.float32(0.5) + np.float32(0.5) * gap))
         heights.append(cloud.z[here_y, here_x])

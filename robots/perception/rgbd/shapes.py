@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, InFloat64
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.openness import odds_of_open
 from robots.perception.rgbd.samples import Samples
 from robots.perception.rgbd.solids import (
     Fit,
@@ -27,10 +28,6 @@ _ROOM_M, _WITHIN_SHARE = 0.005, 0.7
 _HOLDS_M = 0.05
 Form = Literal["cylinder", "beaker", "box", "ball"]
 """A beaker is a cylinder that is open at the top."""
-_DEPTH_OF_A_BEAKER_M = 0.012
-_OPEN_SHARE = 0.55
-_ASKED = np.array([(r * np.cos(a), r * np.sin(a)) for r in (0.3, 0.6) for a in np.arange(12) * np.pi / 6.0])
-"""Places over the top of a thing, in radii, at which a beaker is looked into."""
 _WIDEST_OF_VISIBLE = 1.25, 0.003
 """A cylinder is no wider than this share of what is seen of it, and so much more: else a box that is seen
 face on becomes a huge one."""
@@ -59,6 +56,7 @@ class Solid(InFloat64):
         border: Share of it that ends at the edge of the picture.
         measured: What of it is measured: "top", "sides", "foot"; the rest, its back, is assumed.
         lifted_m: How high above the ground it begins; 0 for what stands.
+        open_odds: Of what is round: logarithm of the odds that it is open at the top.
     """
 
     form: Form
@@ -72,6 +70,7 @@ class Solid(InFloat64):
     border: float
     measured: frozenset[str]
     lifted_m: float = 0.0
+    open_odds: float = 0.0
 
 
 def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np.bool_]]:
@@ -80,7 +79,8 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     round_start = np.column_stack([view.middle, view.half_width, view.height])
     outside = samples.weight * visible_side(samples, view.middle, view.height)
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
-    beaker = _is_open(cloud, samples, rounds)
+    open_odds = odds_of_open(cloud, samples, rounds)
+    beaker = open_odds > 0.0
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
     ball_start = np.column_stack([view.middle, 0.5 * view.height])
     balls = fit(samples, ball_start, ball_distance, slice(2, 3))
@@ -104,7 +104,12 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
             ("ball", balls),
         )[int(kind)]
         lifted = float(view.low[k]) if hangs[k] else 0.0
-        made.append(_solid(which[0], which[1], k, samples, view, float(margin[k]), lifted))
+        made.append(
+            replace(
+                _solid(which[0], which[1], k, samples, view, float(margin[k]), lifted),
+                open_odds=float(open_odds[k]),
+            )
+        )
     return made, ~_within_another(samples, rounds, beaker & (best == 0))
 
 
@@ -167,27 +172,6 @@ def _too_wide(view: _View, rounds: Fit) -> NDArray[np.bool_]:
 
 def _no_ball(view: _View, balls: Fit) -> NDArray[np.bool_]:
     return np.asarray(np.abs(2.0 * balls.parameters[:, 2] - view.height) > _FALLS_SHORT_M)
-
-
-def _is_open(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
-    """Whether most rays through a round thing's top end below it."""
-    k = len(samples.origin)
-    x, y, radius, height = rounds.parameters.T
-    top = np.zeros((k, len(_ASKED), 3))
-    top[..., 0] = x[:, None] + radius[:, None] * _ASKED[:, 0]
-    top[..., 1] = y[:, None] + radius[:, None] * _ASKED[:, 1]
-    top[..., 2] = height[:, None]
-    camera_R_odom = cloud.odom_T_camera[:3, :3].T
-    seen = (top - samples.eye[:, None]) @ camera_R_odom.T
-    pixels = np.round(cloud.picture.pixels_of(seen.reshape(-1, 3))).astype(np.int64)
-    rows, columns = cloud.depth_m.shape
-    within = (pixels[:, 0] >= 0) & (pixels[:, 0] < columns) & (pixels[:, 1] >= 0) & (pixels[:, 1] < rows)
-    u, v = np.clip(pixels[:, 0], 0, columns - 1), np.clip(pixels[:, 1], 0, rows - 1)
-    there = within & (cloud.depth_m[v, u] > 0.0)
-    below = samples.origin[:, 2].repeat(len(_ASKED)) + height.repeat(len(_ASKED)) - cloud.z[v, u]
-    deep = there & (below > np.maximum(_DEPTH_OF_A_BEAKER_M, 4.0 * cloud.sigma_m[v, u]))
-    told = there.reshape(k, -1).sum(axis=1)
-    return np.asarray(deep.reshape(k, -1).sum(axis=1) > _OPEN_SHARE * np.maximum(told, 6))
 
 
 def _ground_of(solid: Solid, place: Array, room_m: float) -> bool:

@@ -104,6 +104,30 @@ def test_what_stands_behind_something_lower_still_stands(take):
     assert behind.solid.place_m[2] == pytest.approx(TABLE_M + 0.07, abs=0.005)
 
 
+@pytest.mark.parametrize("radius_m", [0.020, 0.026, 0.034, 0.040])
+@pytest.mark.parametrize("place", [(0.45, 0.2), (0.6, 0.0), (0.75, -0.2)])
+def test_what_is_open_at_the_top_is_a_cup_however_narrow(take, beaker, radius_m, place):
+    low = poses.transform(_camera()[:3, :3], (0.1, 0.0, 1.25))
+
+    seen = Eyes().look(take([(beaker(radius_m, 0.11), *place, 0.0, RED)], place=low))
+
+    (thing,) = seen.things
+    assert (thing.solid.form, thing.call.kind, thing.call.alike) == ("beaker", "cup", ())
+
+
+def test_a_top_that_came_back_nowhere_may_be_open_or_not(take):
+    picture = take([(Cylinder(0.03, 0.11), 0.6, 0.0, 0.0, RED)])
+    camera_T_odom = poses.inverse(picture.odom_T_camera)
+    top = picture.pixels_of((camera_T_odom @ np.array([0.6, 0.0, TABLE_M + 0.11, 1.0]))[None, :3])[0]
+    u, v = np.round(top).astype(int)
+    picture.depth_m[v - 8 : v + 6, u - 9 : u + 10] = 0.0
+
+    seen = Eyes().look(picture)
+
+    (thing,) = seen.things
+    assert {thing.call.kind, *thing.call.alike} == {"can", "cup"}
+
+
 def test_an_empty_table_shows_a_table_and_nothing_on_it(take):
     seen = Eyes().look(take([]))
 
