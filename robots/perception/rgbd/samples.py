@@ -160,7 +160,11 @@ def _outline(
             gy, gx = np.clip(here_y + step * dy, 0, rows - 1), np.clip(here_x + step * dx, 0, columns - 1)
             still = still * lost[gy, gx]
             gap += still
-        outside.append(~within | ((still > 0) & (beyond <= 0.0)))
+        far_y, far_x = (
+            np.clip(out_y + _BEYOND_PX * dy, 0, rows - 1),
+            np.clip(out_x + _BEYOND_PX * dx, 0, columns - 1),
+        )
+        outside.append(~within | ((still > 0) & (beyond <= 0.0) & (depth[far_y, far_x] <= 0.0)))
         us.append(here_x + dx * (np.float32(0.5) + np.float32(0.5) * gap))
         vs.append(here_y + dy * (np.float32(0.5) + np.float32(0.5) * gap))
         heights.append(cloud.z[here_y, here_x])

@@ -31,6 +31,8 @@ Form = Literal["cylinder", "beaker", "box", "ball"]
 _WIDEST_OF_VISIBLE = 1.25, 0.003
 """A cylinder is no wider than this share of what is seen of it, and so much more: else a box that is seen
 face on becomes a huge one."""
+_CUT_SHARE, _WIDEST_OF_CUT = 0.06, 2.5
+"""What has more of its outline than this share out of sight may be so much wider than what is seen of it."""
 _FALLS_SHORT_M = 0.015
 """A ball that is so much lower or higher than it is wide is none."""
 _LOOSE_BELOW_M = 0.03
@@ -86,7 +88,7 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     balls = fit(samples, ball_start, ball_distance, slice(2, 3))
     scores = np.stack(
         [
-            np.where(_too_wide(view, rounds), np.inf, rounds.score),
+            np.where(_too_wide(view, rounds, samples), np.inf, rounds.score),
             # what is open at the top is round: boxes that are so have a form of their own
             np.where(beaker, boxes.score + 1.0, boxes.score),
             np.where(_no_ball(view, balls), np.inf, balls.score),
@@ -165,9 +167,10 @@ def _box_starts(samples: Samples, view: _View) -> Array:
     return starts
 
 
-def _too_wide(view: _View, rounds: Fit) -> NDArray[np.bool_]:
+def _too_wide(view: _View, rounds: Fit, samples: Samples) -> NDArray[np.bool_]:
     share, more = _WIDEST_OF_VISIBLE
-    return np.asarray(rounds.parameters[:, 2] > share * view.half_width + more)
+    widest = np.where(samples.border + samples.cut > _CUT_SHARE, _WIDEST_OF_CUT, share)
+    return np.asarray(rounds.parameters[:, 2] > widest * view.half_width + more)
 
 
 def _no_ball(view: _View, balls: Fit) -> NDArray[np.bool_]:

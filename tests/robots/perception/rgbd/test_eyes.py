@@ -128,6 +128,20 @@ def test_a_top_that_came_back_nowhere_may_be_open_or_not(take):
     assert {thing.call.kind, *thing.call.alike} == {"can", "cup"}
 
 
+@pytest.mark.parametrize("share", [0.6, 0.8])
+def test_what_the_edge_of_the_picture_cuts_is_as_wide_as_what_is_seen_of_it_is_bent(take, share):
+    shape = Cylinder(0.035, 0.12)
+    picture = take([(shape, 0.6, 0.0, 0.0, RED)])
+    columns = np.flatnonzero((picture.color == RED).all(axis=2).any(axis=0))
+    last = int(columns[0] + share * len(columns))
+    seen = Eyes().look(_without_columns_from(picture, last))
+
+    (thing,) = seen.things
+    assert thing.solid.form == "cylinder"
+    assert thing.solid.place_m[:2] == pytest.approx((0.6, 0.0), abs=0.008)
+    assert thing.solid.shape.radius_m == pytest.approx(0.035, abs=0.006)
+
+
 def test_an_empty_table_shows_a_table_and_nothing_on_it(take):
     seen = Eyes().look(take([]))
 
@@ -175,6 +189,12 @@ def extents(shape):
     if isinstance(shape, Box):
         return (*sorted(shape.size_m[:2]), shape.size_m[2])
     return (2 * shape.radius_m, 2 * shape.radius_m, shape.height_m)
+
+
+def _without_columns_from(picture, last):
+    """The same picture, with nothing beyond a column: as if it ended there."""
+    picture.depth_m[:, last:] = 0.0
+    return picture
 
 
 def _camera():
