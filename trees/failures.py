@@ -50,6 +50,7 @@ class Reason(Enum):
     SEEN_FROM_AFAR = "what is meant was seen, but from too far away to see all that is on it"
     OUT_OF_VIEW = "what is meant is known from before, and is not in view now"
     MORE_LOOKS_NEEDED = "only looks to the sides as well can say which thing is meant"
+    UNSURE = "something was seen that may be what is meant; a look from elsewhere may tell, or a person"
     SEVERAL_FIT = "several things fit; a person has to say which one is meant"
     CANNOT_SEE = "the camera gives no picture in which anything could be looked for"
     NOBODY_SEEN = "a look all around has shown no person"
