@@ -70,4 +70,5 @@ def _drop(places: Array, ways: Array, inside: Array, deepest: Array) -> Array:
     ahead = (places * ways[..., :2]).sum(axis=-1) / across
     left = np.maximum(np.square(inside)[:, None] - np.square(places).sum(axis=-1) + np.square(ahead), 0.0)
     along = np.sqrt(left) - ahead
-    return np.minimum(along * np.maximum(-ways[..., 2], 0.0) / across, deepest[:, None])
+    drop: Array = np.minimum(along * np.maximum(-ways[..., 2], 0.0) / across, deepest[:, None])
+    return drop

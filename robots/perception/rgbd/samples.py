@@ -38,8 +38,8 @@ class Samples(InFloat64):
         pixels: How many each piece has, shape (k,).
         boxes: First column and row, and those after the last, shape (k, 4).
         cut: Share of a piece's outline that ends behind something nearer.
-        border: Share of it that ends where nothing is measured: at the edge of the picture, or where it is too
-            near for the camera.
+        border: Share of it that ends where nothing is measured: at the edge of the picture, or where it is
+            too near for the camera.
     """
 
     points: Array

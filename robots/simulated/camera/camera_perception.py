@@ -34,6 +34,8 @@ from robots.simulated.pictures.opengl import require_opengl
 _TIME_TOLERANCE_S = 1e-9
 _IDLE_S = 0.1
 """When nobody has asked for a frame for so long, none is taken: each costs as much as many periods."""
+_STILL_S = 0.05
+"""Who looks asks each tick; who has not asked for so long has seen enough."""
 _MODULE = "robots.simulated.camera.process"
 _END_WITHIN_S = 5.0
 
@@ -73,8 +75,9 @@ class CameraPerception:
     """A ``Detector`` over the robot's first camera.
 
     Whoever advances the world calls ``tick`` once each control period. Pictures are taken when somebody
-    looks, drawn and looked at in a process of their own. In lockstep each is waited for; live, it comes when
-    it is done.
+    looks, drawn and looked at in a process of their own. Live, what is in them comes when it is done. In
+    lockstep each is drawn when it is due to be told, and waited for, if somebody still looks then; nobody
+    misses the others.
 
     Attributes:
         faults: Errors beyond the camera's own, injected by tests and evaluations.
@@ -112,8 +115,9 @@ class CameraPerception:
         )
         self._pipe = _start(self)
         self._labels: frozenset[str] | None = self._ask(setup)
+        self._taken: deque[Shot] = deque()
         self._pending: deque[PerceptionFrame] = deque()
-        self._asked = False
+        self._asked: Shot | None = None
         self._latest: PerceptionFrame | None = None
         self._pictures = 0
         self._start_s = self._due_s = self._asked_s = clock.now_s()
@@ -131,19 +135,31 @@ class CameraPerception:
     def tick(self) -> None:
         """Take a picture when one is due and somebody looks, deliver those whose latency has passed."""
         now_s = self._clock.now_s() + _TIME_TOLERANCE_S
-        if self._asked and self._pipe.poll(0):
+        if self._asked is not None and self._pipe.poll(0):
             self._take_answer()
         if now_s >= self._due_s:
-            if now_s - self._asked_s <= _IDLE_S and not self._asked:
-                self._pipe.send(self._shot())
-                self._asked = True
-                if self._waits:
-                    self._take_answer()
+            if now_s - self._asked_s <= _IDLE_S:
+                self._take_picture()
             self._pictures += 1
             self._due_s = self._start_s + self._pictures / self._camera.rate_hz
         late_s = self._camera.latency_s + self.faults.late_s
+        while self._taken and now_s >= self._taken[0].stamp_s + late_s:
+            shot = self._taken.popleft()
+            if now_s - self._asked_s <= _STILL_S:
+                self._send(shot)
+                self._take_answer()
         while self._pending and now_s >= self._pending[0].stamp_s + late_s:
             self._latest = self._pending.popleft()
+
+    def _take_picture(self) -> None:
+        if self._waits:
+            self._taken.append(self._shot())
+        elif self._asked is None:
+            self._send(self._shot())
+
+    def _send(self, shot: Shot) -> None:
+        self._pipe.send(shot)
+        self._asked = shot
 
     def set_error(
         self, kind: str, offset_m: tuple[float, float, float], first_look_only: bool = True
@@ -170,15 +186,14 @@ class CameraPerception:
         )
 
     def _take_answer(self) -> None:
-        answer = self._received()
-        self._asked = False
-        if isinstance(answer, Answer):
+        answer, shot = self._received(), self._asked
+        self._asked = None
+        if isinstance(answer, Answer) and shot is not None:
             self.looked_s.append(answer.looked_s)
-            self._pending.append(self._displaced(answer.frame))
+            self._pending.append(self._displaced(answer.frame, shot.odom_T_camera[:3, :3]))
 
-    def _displaced(self, frame: PerceptionFrame) -> PerceptionFrame:
+    def _displaced(self, frame: PerceptionFrame, odom_R_camera: Array) -> PerceptionFrame:
         """The frame with the errors that were injected into what it tells."""
-        odom_R_camera = self._believed().odom_T_camera[:3, :3]
         told = []
         for seen in frame.detections:
             offset = self.faults.offset_m(seen.category, seen.kind, frame.stamp_s)
