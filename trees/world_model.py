@@ -72,6 +72,8 @@ class WorldModel:
         taken_from: Where each object stood, by name, that a hand holds or that this task has put down.
         felt_widths: What fingers have felt of a thing's width, m, by its name, where that is another one
             than the camera tells; the newest counts.
+        sees_badly: What has been wrong with the robot's pictures in this task, for people; empty when nothing
+            has.
         at_handle: The hand that is at the handle of a door or drawer; None once it has drawn back. A
             cancelled task leaves the hand there, and the next task has to let go first.
     """
@@ -88,6 +90,7 @@ class WorldModel:
         self.felt_widths: Mapping[str, float] = {}
         self.at_handle: HandAtHandle | None = None
         self.people: Mapping[str, PersonLooks] = {}
+        self.sees_badly = ""
         self._reasons: set[str] = set()
 
     @property
@@ -100,6 +103,7 @@ class WorldModel:
         self.sightings = {}
         self.felt_widths = {}
         self.people = {}
+        self.sees_badly = ""
         self._reasons.clear()
         held = self._scene.attached
         self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}

@@ -61,7 +61,7 @@ class Assembly:
 
 
 FRAMES_OF_A_CAMERA = 5
-"""Of one look: pictures err alike by what calibration leaves, and little by noise, which a few average down."""
+"""Of one look: what calibration leaves is the same in all pictures, and a few average the noise down."""
 
 
 def policy_for(scene: SceneDescription) -> TreePolicy:

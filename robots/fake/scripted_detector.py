@@ -15,6 +15,8 @@ from robots.perception.position_error import PositionError
 from robots.perception.truth_view import TrueObject
 
 _SURELY = 0.95
+PICTURE = b"a picture"
+"""Of what is seen otherwise than surely."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +46,7 @@ class ScriptedDetector:
         blind: While true, frames come but show nothing.
         frozen: While true, no new frames come.
         offset_m: Names of things that are seen at a wrong place, and by how much, along the world's axes.
+        tilt_rad: By how much what is level seems to lean.
         confidence: Names of things that are seen otherwise than surely, and how surely.
         error: That it declares of all it tells; None: none.
         labels: The words that it can tell; None: any.
@@ -58,6 +61,7 @@ class ScriptedDetector:
         self.blind = False
         self.frozen = False
         self.offset_m: dict[str, tuple[float, float, float]] = {}
+        self.tilt_rad = 0.0
         self.confidence: dict[str, float] = {}
         self.error: PositionError | None = None
         self._world, self._camera, self._clock = world, camera, clock
@@ -72,7 +76,7 @@ class ScriptedDetector:
             return None
         if self._latest is None or self._latest.sequence != picture.number:
             seen = () if picture.view is None else tuple(self._looked_at(picture.view))
-            self._latest = PerceptionFrame(picture.stamp_s, picture.number, seen)
+            self._latest = PerceptionFrame(picture.stamp_s, picture.number, seen, tilt_rad=self.tilt_rad)
         return self._latest
 
     def advance(self) -> None:
@@ -124,6 +128,7 @@ class ScriptedDetector:
                     item.categories,
                     item.traits,
                     self.error,
+                    picture=PICTURE if item.name in view.confidence else None,
                 )
             )
         return seen

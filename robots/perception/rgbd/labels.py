@@ -67,6 +67,8 @@ def _call(solid: Solid) -> Call:
     is_open = _share(solid.open_odds, 1.0)
     wide = _share(shape.radius_m - 0.75 * shape.height_m, 0.006)
     tall = _share(shape.height_m - 0.145, 0.006)
+    if "top" not in solid.measured:  # it is at least so high
+        tall = max(tall, 0.5)
     return _likeliest(
         {
             "cup": is_open * (1.0 - wide),

@@ -33,6 +33,9 @@ _WIDEST_OF_VISIBLE = 1.25, 0.003
 face on becomes a huge one."""
 _CUT_SHARE, _WIDEST_OF_CUT = 0.06, 2.5
 """What has more of its outline than this share out of sight may be so much wider than what is seen of it."""
+_TOPLESS, _HEIGHT_UNSEEN_M = 0.5, 0.10
+"""Where more of the upper ends than this share are out of sight, the height is told as far as it is seen, and
+is uncertain by so much."""
 _FALLS_SHORT_M = 0.015
 """A ball that is so much lower or higher than it is wide is none."""
 _LOOSE_BELOW_M = 0.03
@@ -239,7 +242,11 @@ def _solid(
         shape = _without_foot(shape, lifted)
     place = np.array([x, y, ground + lifted + 0.5 * shape.height_m])
     low = float(view.low[k])
-    measured = {"top"} | ({"sides"} if low < 0.6 * shape.height_m else set())
+    measured = {"sides"} if low < 0.6 * shape.height_m else set()
+    if samples.topless[k] > _TOPLESS:
+        spread = (*spread[:-1], max(spread[-1], _HEIGHT_UNSEEN_M))
+    else:
+        measured.add("top")
     if low < _LOOSE_BELOW_M:
         measured.add("foot")
     return Solid(

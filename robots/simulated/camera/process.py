@@ -8,6 +8,7 @@ other (``Shot``). It ends when whoever asks does.
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -74,6 +75,7 @@ class CameraProcess:
         trouble = self._watch.judge(picture)
         if trouble is None:
             frame = self._eyes.detect(picture, shot.sequence)
+            frame = replace(frame, hindrance=self._watch.hindrance(picture))
         else:
             frame = PerceptionFrame(shot.stamp_s, shot.sequence, (), TOLD[trouble])
         return Answer(frame, self._processor.now_s() - began)

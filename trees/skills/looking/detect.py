@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Mapping
 from typing import Literal
 
@@ -13,7 +14,7 @@ from trees.beliefs.grounding.grounding import Ambiguous, Choice, Found, Missing,
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of, words_for
-from trees.events import Said
+from trees.events import Said, ThingPictured
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -105,6 +106,7 @@ class Detect(LookLeaf):
         match grounding:
             case Missing(message):
                 reason = Reason.LOST_FROM_VIEW if self.part == "last" else Reason.NOT_SEEN
+                message = "; ".join(filter(None, (message, world.sees_badly)))
                 return Failure.postcondition(message, seen=_words(seen)).because(reason)
             case Ambiguous(_, choices) as unclear:
                 unseen = sum(choice.name not in world.sightings for choice in choices)
@@ -166,10 +168,18 @@ class Detect(LookLeaf):
         said_which = isinstance(wanted, ObjectDescription) and wanted.name is not None
         return not said_which and estimate.confidence < self.toolbox.policy.sure_from
 
+    def _show(self, name: str, wanted: str) -> None:
+        """Keep the picture of what a person is asked about, if the detector gives one."""
+        estimate = self.toolbox.world.sightings.get(name)
+        if estimate is not None and estimate.picture is not None:
+            png = base64.b64encode(estimate.picture).decode("ascii")
+            self.toolbox.events(ThingPictured(self.toolbox.clock.now_s(), wanted, png))
+
     def _whether_it_is(self, target: Target) -> Failure:
         """Look again, or ask a person in the end."""
         wanted = self.get_input("task").object
         if self.part == "asking":
+            self._show(target.name, str(wanted))
             choice = Choice(target.name, kind_of(target.name))
             return which_is_meant(Ambiguous(f"is this the {wanted}?", (choice,)))
         message = f"what may be the {wanted} is not seen well enough"

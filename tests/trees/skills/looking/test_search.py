@@ -1,10 +1,14 @@
 """When a question is put: not before arms that may hide what has gone are out of the way."""
 
+import base64
+
 import pytest
 
 from kinematics.requests.pick import PickRequest
 from robots.fake.fake_world import cup, table
+from robots.fake.scripted_detector import PICTURE
 from trees.beliefs.grounding.grounding import exactly
+from trees.events import ThingPictured
 from trees.failures import Failure, OpenChoice
 from trees.skills.looking.search import looking_from_home_is_useless
 from trees.tasks import ObjectDescription, PickTask
@@ -59,6 +63,8 @@ def test_whether_it_is_the_thing_is_asked_when_no_look_has_told(stage):
 
     assert tree.failure.root.message == "is this the red cup?"
     assert tree.failure.choice_names == ("red cup",)
+    (pictured,) = [event for event in stage.events if isinstance(event, ThingPictured)]
+    assert (pictured.what, base64.b64decode(pictured.png_base64)) == ("red cup", PICTURE)
     assert not any(isinstance(request, PickRequest) for request in stage.fake.planning.requests)
 
 
