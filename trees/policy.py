@@ -49,8 +49,8 @@ class TreePolicy:
             above what stands at its near edge; from farther behind they see it.
         first_lean_rad: Of the trunk, in the first look for what is to be picked up: what stands at the near
             edge of a low table is below the picture of who stands upright, and in the way of the hand.
-        most_tilt_rad: What is level may seem to lean by so much; a calibration leaves a fifth of it, and where
-            it is more the camera has been turned.
+        most_tilt_rad: What is level may seem to lean by so much: calibration leaves a fifth. Where it is
+            more, the camera has been turned.
         sure_from: A thing that is seen less surely than this is looked at from elsewhere before anything is
             done with it; what stays unsure is asked about.
         looks_for_twins: Whether a part of a table that is out of view is looked at before the only thing in

@@ -84,7 +84,7 @@ def _white(picture: Picture) -> float:
 
 
 def _lost(picture: Picture) -> float:
-    """Share of the picture without depth, of what must show something in reach: the floor or what is nearer."""
+    """Share of the picture without depth, of what must show something in reach: a floor or what is on it."""
     across, down = picture.rays()
     row = picture.odom_T_camera[2, :3]
     falls = -(row[0] * across[None, ::_EVERY] + row[1] * down[::_EVERY, None] + row[2])

@@ -20,7 +20,7 @@ MISCALIBRATED_RAD = math.radians(2.0)
 _CHANGES_S = (0.5, 3.0)
 _EPISODE_S = 60.0
 _GAP_M, _HIGHER_M = (0.03, 0.05), (-0.01, 0.03)
-"""Between the thing and what stands before it, as amid clutter, where a hand comes in from other sides; and by
+"""Between the thing and what stands before it, as amid clutter, where hands come in from other sides; and by
 how much that is higher."""
 
 Wrong = Callable[[CameraFaults, np.random.Generator], None]
