@@ -61,5 +61,20 @@ class Offered:
     to: str
 
 
-TreeEvent = NodeChanged | LeafFailed | NotSo | Measured | Said | Offered
+@dataclass(frozen=True, slots=True)
+class ThingPictured:
+    """What a person is asked about, as the camera shows it.
+
+    Attributes:
+        t_s: When it was asked.
+        what: What it may be.
+        png_base64: The part of the picture that shows it.
+    """
+
+    t_s: float
+    what: str
+    png_base64: str
+
+
+TreeEvent = NodeChanged | LeafFailed | NotSo | Measured | Said | Offered | ThingPictured
 TreeSink = Callable[[TreeEvent], None]

@@ -50,8 +50,10 @@ class Reason(Enum):
     SEEN_FROM_AFAR = "what is meant was seen, but from too far away to see all that is on it"
     OUT_OF_VIEW = "what is meant is known from before, and is not in view now"
     MORE_LOOKS_NEEDED = "only looks to the sides as well can say which thing is meant"
+    UNSURE = "something was seen that may be what is meant; a look from elsewhere may tell, or a person"
     SEVERAL_FIT = "several things fit; a person has to say which one is meant"
     CANNOT_SEE = "the camera gives no picture in which anything could be looked for"
+    SEES_BADLY = "the camera's pictures tell less than usual; things may be missed"
     NOBODY_SEEN = "a look all around has shown no person"
     PERSON_LOST = "somebody who was followed or guided is out of sight"
     NO_FURNITURE_LEFT = "no furniture is left that was not looked at from nearby"
@@ -84,6 +86,7 @@ class Reason(Enum):
     FELT_IN_THE_WAY = "the arm met something where nothing is known to be"
     SEEN_TO_FLOAT = "what stands on a top is seen above it, or sunk in it"
     CAMERAS_DIFFER = "two cameras show one thing at different places"
+    CAMERA_ASKEW = "what is level leans in the camera's pictures: it looks elsewhere than is believed"
     CAMERA_BLIND = "one camera shows nothing while another one shows things"
     MOVED_SINCE_LOOK = "the thing is seen elsewhere than the look before has shown it"
     GONE_SINCE_LOOK = "the thing is not seen any more where the look before has shown it"
@@ -100,6 +103,7 @@ DISAGREEMENTS = frozenset(
         Reason.FELT_IN_THE_WAY,
         Reason.SEEN_TO_FLOAT,
         Reason.CAMERAS_DIFFER,
+        Reason.CAMERA_ASKEW,
         Reason.CAMERA_BLIND,
         Reason.MOVED_SINCE_LOOK,
         Reason.GONE_SINCE_LOOK,

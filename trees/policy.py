@@ -49,6 +49,10 @@ class TreePolicy:
             above what stands at its near edge; from farther behind they see it.
         first_lean_rad: Of the trunk, in the first look for what is to be picked up: what stands at the near
             edge of a low table is below the picture of who stands upright, and in the way of the hand.
+        most_tilt_rad: What is level may seem to lean by so much: calibration leaves a fifth. Where it is
+            more, the camera has been turned.
+        sure_from: A thing that is seen less surely than this is looked at from elsewhere before anything is
+            done with it; what stays unsure is asked about.
         looks_for_twins: Whether a part of a table that is out of view is looked at before the only thing in
             view that fits is taken for the one that is meant.
         survey_gazes: Where else the head looks before it is said which of several things is meant: what the
@@ -100,6 +104,8 @@ class TreePolicy:
     )
     last_gaze: Gaze = Gaze("before the body", tilt_rad=0.77, lean_rad=0.45, back_m=0.09)
     first_lean_rad: float = 0.2
+    most_tilt_rad: float = 0.015
+    sure_from: float = 0.5
     looks_for_twins: bool = True
     survey_gazes: tuple[Gaze, ...] = (
         Gaze("to the left", tilt_rad=0.75, pan_rad=0.5),

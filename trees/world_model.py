@@ -77,6 +77,8 @@ class WorldModel:
         top_errors: How wrong the newest look at each piece of furniture may be, by its name; of a detector
             that declares it.
         felt_tops: At which height a hand has felt a top in this task, by the top's name; the newest counts.
+        sees_badly: What has been wrong with the robot's pictures in this task, for people; empty when nothing
+            has.
         at_handle: The hand that is at the handle of a door or drawer; None once it has drawn back. A
             cancelled task leaves the hand there, and the next task has to let go first.
     """
@@ -95,6 +97,7 @@ class WorldModel:
         self.felt_tops: Mapping[str, FeltTop] = {}
         self.at_handle: HandAtHandle | None = None
         self.people: Mapping[str, PersonLooks] = {}
+        self.sees_badly = ""
         self._reasons: set[str] = set()
 
     @property
@@ -108,6 +111,7 @@ class WorldModel:
         self.felt_widths = {}
         self.felt_tops = {}
         self.people = {}
+        self.sees_badly = ""
         self._reasons.clear()
         held = self._scene.attached
         self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}

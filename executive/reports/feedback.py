@@ -29,7 +29,7 @@ from robots.control.events import (
     SetpointRefused,
     StopStarted,
 )
-from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Offered, Said
+from trees.events import LeafFailed, Measured, NodeChanged, NotSo, Offered, Said, ThingPictured
 from trees.failures import Failure, Number
 from trees.registry import skill_called
 from trees.skill import as_asked
@@ -70,6 +70,8 @@ def line_for(event: Event) -> str | None:
             return f"failed: {sentence(event.failure)}"
         case Said():
             return f"says{' to ' + event.to if event.to else ''}: {event.text}"
+        case ThingPictured(what=what):
+            return f"a picture of what may be the {what} is kept in the run's folder"
         case Offered(what=what, to=person):
             return f"holds the {what} out to {person}"
         case SetpointRefused():

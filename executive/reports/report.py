@@ -42,6 +42,7 @@ class Report:
     tasks: Sequence[TaskResult] = ()
     safety: SafetyCounts = field(default_factory=SafetyCounts)
     left_out: Sequence[SkippedStep] = ()
+    pictures: Sequence[str] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The document."""
@@ -62,6 +63,7 @@ class Report:
                     "stops": list(self.safety.stops),
                 },
                 **self._left_out(),
+                **({"pictures": list(self.pictures)} if self.pictures else {}),
                 "events_sha256": self.events_sha256,
             }
         )

@@ -84,6 +84,7 @@ class RunAccount:
             tasks=[result for _, results_of in results for result in results_of],
             safety=self._tally.counts(checked),
             left_out=tuple(step for statement, _ in results for step in statement.skipped),
+            pictures=self._log.pictures,
         )
         self._log.finish(report.to_json())
         return report

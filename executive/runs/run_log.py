@@ -3,7 +3,8 @@
 ``run.json`` says what was asked of which robot in which scene, ``scene.toml``, ``script.toml`` and
 ``config.toml`` are copies of the scene's, the script's and the ``--config`` file, ``events.jsonl`` holds the
 canonical events, ``report.json`` the report,
-and ``trajectories``, where they were asked for, the motions that the checker judged.
+``trajectories``, where they were asked for, the motions that the checker judged, and ``pictures`` what the
+camera showed of things that a person was asked about.
 
 Each event is handed to the operating system as soon as it is written, so that a program that is killed
 loses none of them; only the last line may be torn, and is left out when the log is read.
@@ -11,6 +12,7 @@ loses none of them; only the last line may be torn, and is left out when the log
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import json
 import shutil
@@ -24,9 +26,12 @@ from typing import Any, TextIO
 from executive.errors import NotWritableError, UnknownRunError
 from executive.session.events import Event, EventDigest, canonical_line
 from robots.clock import utc_timestamp
+from trees.events import ThingPictured
 
 LATEST = "latest"
 EVENTS = "events.jsonl"
+PICTURES = "pictures"
+_MOST_OF_NAME = 40
 _ELSEWHERE = "choose a folder that you may write with --record"
 
 
@@ -37,6 +42,7 @@ class RunLog:
         digest: Of the events so far.
         path: The run's folder.
         complaint: What could not be written, or None.
+        pictures: Those that were kept, as paths within the folder.
 
     Raises:
         NotWritableError: The folder cannot be made or written.
@@ -53,6 +59,7 @@ class RunLog:
         self.digest = EventDigest()
         self.complaint: str | None = None
         self._motions = 0
+        self.pictures: tuple[str, ...] = ()
         when = utc_timestamp()
         try:
             self.path = _new_folder(directory, when.replace(":", "-"))
@@ -91,6 +98,8 @@ class RunLog:
                 self._file.write(canonical_line(event) + "\n")
             except OSError as failed:
                 self.complaint = f"the run's log broke off: {failed.strerror or failed}"
+        if isinstance(event, ThingPictured):
+            self._add_picture(event)
 
     def add_motion(self, text: str, verdict: str) -> None:
         """Store a judged motion, as ``executive check`` reads it, under its number and verdict."""
@@ -102,6 +111,17 @@ class RunLog:
                 (folder / f"{self._motions:03d}_{verdict}.json").write_text(text, "utf-8")
             except OSError as failed:
                 self.complaint = f"a trajectory could not be stored: {failed.strerror or failed}"
+
+    def _add_picture(self, event: ThingPictured) -> None:
+        what = "".join(letter if letter.isalnum() else "_" for letter in event.what)[:_MOST_OF_NAME]
+        name = f"{PICTURES}/{len(self.pictures) + 1:03d}_{what}.png"
+        try:
+            (self.path / PICTURES).mkdir(exist_ok=True)
+            (self.path / name).write_bytes(base64.b64decode(event.png_base64))
+        except OSError as failed:
+            self.complaint = self.complaint or f"a picture could not be kept: {failed.strerror or failed}"
+        else:
+            self.pictures = (*self.pictures, name)
 
     def finish(self, report: Mapping[str, Any]) -> None:
         """Write the report; what goes wrong now is a complaint, because the robot has moved already."""

@@ -60,6 +60,18 @@ class Assembly:
     supervisor: Supervisor
 
 
+FRAMES_OF_A_CAMERA = 5
+"""Of one look: what calibration leaves is the same in all pictures, and a few average the noise down."""
+
+
+def policy_for(scene: SceneDescription) -> TreePolicy:
+    """The usual numbers, for the way in which things are seen in a scene."""
+    usual = TreePolicy()
+    if scene.perception.kind == "rgbd":
+        return replace(usual, look_frames=min(usual.look_frames, FRAMES_OF_A_CAMERA))
+    return usual
+
+
 def assemble(
     robot: str,
     scene: SceneDescription,
@@ -146,7 +158,7 @@ def assemble(
         sink,
         chance,
         place_map(scene, chance.places),
-        policy=policy,
+        policy=policy or policy_for(scene),
         build=build,
         tick_sensors=perception.tick,
         on_period=on_period,

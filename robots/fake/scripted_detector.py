@@ -14,6 +14,10 @@ from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
 from robots.perception.truth_view import TrueObject
 
+_SURELY = 0.95
+PICTURE = b"a picture"
+"""Of what is seen otherwise than surely."""
+
 
 @dataclass(frozen=True, slots=True)
 class _View:
@@ -23,6 +27,7 @@ class _View:
     solids: tuple[TrueObject, ...]
     hidden: frozenset[str]
     offset_m: dict[str, tuple[float, float, float]]
+    confidence: dict[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +46,8 @@ class ScriptedDetector:
         blind: While true, frames come but show nothing.
         frozen: While true, no new frames come.
         offset_m: Names of things that are seen at a wrong place, and by how much, along the world's axes.
+        tilt_rad: By how much what is level seems to lean.
+        confidence: Names of things that are seen otherwise than surely, and how surely.
         error: That it declares of all it tells; None: none.
         labels: The words that it can tell; None: any.
     """
@@ -54,6 +61,8 @@ class ScriptedDetector:
         self.blind = False
         self.frozen = False
         self.offset_m: dict[str, tuple[float, float, float]] = {}
+        self.tilt_rad = 0.0
+        self.confidence: dict[str, float] = {}
         self.error: PositionError | None = None
         self._world, self._camera, self._clock = world, camera, clock
         self._period_s = 1.0 / rate_hz
@@ -67,7 +76,7 @@ class ScriptedDetector:
             return None
         if self._latest is None or self._latest.sequence != picture.number:
             seen = () if picture.view is None else tuple(self._looked_at(picture.view))
-            self._latest = PerceptionFrame(picture.stamp_s, picture.number, seen)
+            self._latest = PerceptionFrame(picture.stamp_s, picture.number, seen, tilt_rad=self.tilt_rad)
         return self._latest
 
     def advance(self) -> None:
@@ -80,7 +89,13 @@ class ScriptedDetector:
 
     def _view(self) -> _View:
         world = self._world
-        return _View(world.world_T_camera(), world.solids(), frozenset(world.hidden), dict(self.offset_m))
+        return _View(
+            world.world_T_camera(),
+            world.solids(),
+            frozenset(world.hidden),
+            dict(self.offset_m),
+            dict(self.confidence),
+        )
 
     def _looked_at(self, view: _View) -> list[Detection]:
         camera_T_world = poses.inverse(view.world_T_camera)
@@ -107,12 +122,13 @@ class ScriptedDetector:
                     item.color,
                     told,
                     item.shape,
-                    0.95,
+                    view.confidence.get(item.name, _SURELY),
                     item.told_name,
                     item.names,
                     item.categories,
                     item.traits,
                     self.error,
+                    picture=PICTURE if item.name in view.confidence else None,
                 )
             )
         return seen

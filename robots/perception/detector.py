@@ -35,6 +35,8 @@ class Detection(Sealed):
         traits: What is seen of a person, as far as it can be told: "sitting", "waving", "red shirt".
         error: Of place and size, in the camera's frame; None when the detector declares none.
         alike: Kinds and names that the thing may have as well, as far as can be seen.
+        picture: A PNG file's bytes: the part of a picture that shows it, of what is so unsure that a person
+            may be asked; None else.
     """
 
     category: Category
@@ -49,6 +51,7 @@ class Detection(Sealed):
     traits: tuple[str, ...] = ()
     error: PositionError | None = None
     alike: tuple[str, ...] = ()
+    picture: bytes | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,14 +62,19 @@ class PerceptionFrame:
         stamp_s: When the picture was taken (not when it was delivered).
         sequence: Rises by one from frame to frame.
         detections: In no promised order; the same thing has no identity from frame to frame.
-        trouble: What is wrong with the picture, in words ("the picture is too dark"), when nothing could be
+        trouble: What is wrong with the picture, in words ("its picture is too dark"), when nothing could be
             looked for in it; None else.
+        hindrance: What is wrong with a picture in which some things could be found, and others may be missed.
+        tilt_rad: By how much what is level seemed to lean in the picture: what an IMU and a calibration leave
+            of it, or more where the camera has been turned.
     """
 
     stamp_s: float
     sequence: int
     detections: tuple[Detection, ...]
     trouble: str | None = None
+    tilt_rad: float = 0.0
+    hindrance: str | None = None
 
 
 class Detector(Protocol):

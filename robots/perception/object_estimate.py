@@ -52,6 +52,7 @@ class ObjectEstimate(Sealed):
         traits: Of a person: those that at least half of the frames tell.
         error: Of place and size, in the odometry frame; None when the detector declares none.
         alike: What else an object may be called, as far as at least half of the frames tell.
+        picture: The newest that a frame tells of what is unsure, as in ``Detection``; None else.
     """
 
     category: Category
@@ -68,6 +69,7 @@ class ObjectEstimate(Sealed):
     traits: tuple[str, ...] = ()
     error: PositionError | None = None
     alike: tuple[str, ...] = ()
+    picture: bytes | None = None
 
     @property
     def label(self) -> Label:
@@ -231,6 +233,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         traits=_traits(inliers),
         error=_error(cluster, inliers),
         alike=_alike(inliers, names),
+        picture=inliers[-1].picture,
     )
 
 

@@ -127,5 +127,7 @@ class ReportDocument(Published):
     safety: SafetyDocument
     left_out: list[LeftOutDocument] = absent()
     """Steps of a model's output that were not carried out; absent when there are none."""
+    pictures: list[str] = absent()
+    """Files in the run's folder: what the camera showed of things that a person was asked about."""
     events_sha256: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
     """Over the canonical events; equal for equal runs on one machine."""

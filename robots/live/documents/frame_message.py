@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Mapping
 from typing import Any
 
@@ -32,6 +33,7 @@ def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
             "traits": item.traits,
             "error": _error_json(item.error),
             "alike": item.alike,
+            "picture": None if item.picture is None else base64.b64encode(item.picture).decode("ascii"),
         }
         for item in frame.detections
     ]
@@ -42,6 +44,8 @@ def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
         sequence=frame.sequence,
         detections=seen,
         trouble=frame.trouble,
+        tilt_rad=frame.tilt_rad,
+        hindrance=frame.hindrance,
     )
 
 
@@ -66,15 +70,18 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 traits=tuple(map(str, item["traits"])),
                 error=_error(item.get("error")),
                 alike=tuple(map(str, item["alike"])),
+                picture=None if item["picture"] is None else base64.b64decode(item["picture"]),
             )
             for item in document["detections"]
         )
-        trouble = document["trouble"]
+        trouble, hindrance = document["trouble"], document["hindrance"]
         return PerceptionFrame(
             float(document["stamp_s"]),
             int(document["sequence"]),
             seen,
             None if trouble is None else str(trouble),
+            float(document["tilt_rad"]),
+            None if hindrance is None else str(hindrance),
         )
     except (KeyError, TypeError, ValueError) as wrong:
         raise ProtocolError(f"a frame that is none: {wrong!r}") from None

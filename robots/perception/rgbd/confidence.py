@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -24,11 +25,17 @@ FEATURES = (
     "color",
     "kind",
 )
-RIGHT = (-2.852, -0.768, 0.046, -6.193, -6.193, 1.489, -0.218, -1.117, 0.0, 1.085, 0.0)
-"""Of a logistic regression on random scenes of whether a thing is as it is told and where; first the
-constant, then the features in their order."""
+RIGHT: Mapping[str, float] = MappingProxyType(
+    {"constant": -0.62, "fit": -0.65, "hidden": -0.13, "border": -2.84, "uncertain": -0.53, "color": 1.24}
+)
+"""Of a logistic regression of whether a thing is as it is told, and where, on a few features.
+
+Learned by ``tools.evaluate.perception.learn`` on 293 things told of 100 random tables, in bright, dim and
+warm light, half of them seen by the gazes of a search; with a fifth of the scenes held out at a time,
+confidence is off by 0.02. With all ten features it would be as far off.
+"""
 THERE = (2.463, -0.62, -0.104, -2.955, -2.955, 1.563, 0.0, -0.919, 0.0, 0.0, 0.0)
-"""The same of whether there is a thing at all."""
+"""The same of whether there is a thing at all: first the constant, then the features in their order."""
 _SURE_M = 0.001
 _MOST_ODDS = 4.0
 
@@ -99,9 +106,11 @@ def confidences(
             )
         ]
     )
-    return Belief(_likely(RIGHT, evidence), _likely(THERE, evidence), evidence)
+    by_name = np.array([RIGHT.get(name, 0.0) for name in FEATURES])
+    right = _share(RIGHT["constant"] + evidence @ by_name)
+    return Belief(right, _share(THERE[0] + evidence @ np.array(THERE[1:])), evidence)
 
 
-def _likely(weights: tuple[float, ...], evidence: Array) -> Array:
-    odds = weights[0] + evidence @ np.array(weights[1:])
+def _share(odds: Array) -> Array:
+    """Of the logarithms of some odds."""
     return np.asarray(1.0 / (1.0 + np.exp(-np.clip(odds, -30.0, 30.0))))

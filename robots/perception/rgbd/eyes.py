@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -42,6 +43,9 @@ from robots.scenes.articulated import PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS, WALL
 from robots.scenes.scene_description import Furniture
 
+PICTURED_BELOW = 0.6
+"""Of what is as it is told less surely than this, the picture is told as well: a person may be asked."""
+_AROUND_PX = 24
 LEAST_THERE = 0.65
 """What is there less surely is not told: it may be a part of something else, or the edge of a thing."""
 
@@ -246,6 +250,7 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             names=thing.call.names,
             alike=thing.call.alike,
             error=errors.of_thing(thing.solid, thing.confidence),
+            picture=_part(picture, thing) if thing.confidence < PICTURED_BELOW else None,
         )
         for thing in seen.things
         if thing.there >= LEAST_THERE
@@ -276,4 +281,13 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
         )
         for person in seen.people
     ]
-    return PerceptionFrame(picture.stamp_s, sequence, tuple(detections))
+    return PerceptionFrame(picture.stamp_s, sequence, tuple(detections), tilt_rad=seen.tilt_rad)
+
+
+def _part(picture: Picture, thing: Thing) -> bytes:
+    """The part of a picture that shows a thing, with a little around it, as a PNG file."""
+    left, top, right, bottom = thing.box
+    rows = slice(max(top - _AROUND_PX, 0), bottom + _AROUND_PX)
+    columns = slice(max(left - _AROUND_PX, 0), right + _AROUND_PX)
+    _, file = cv2.imencode(".png", picture.color[rows, columns, ::-1])
+    return file.tobytes()

@@ -156,8 +156,9 @@ def _edges(cloud: Cloud, surface: Surface) -> Array:
     x, y = cloud.x[::2, ::2], cloud.y[::2, ::2]
     rows, columns = mask.shape
     found = []
+    whole = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    v, u = np.nonzero(surface.pixels & ~whole)
     for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0)):
-        v, u = np.nonzero(surface.pixels)
         nv, nu = v + dy, u + dx
         fv, fu = v + 4 * dy, u + 4 * dx
         within = (fv >= 0) & (fv < rows) & (fu >= 0) & (fu < columns)

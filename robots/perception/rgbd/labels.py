@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -64,17 +64,33 @@ def _call(solid: Solid) -> Call:
     shape = solid.shape
     if solid.form in ("box", "crate", "ball") or not isinstance(shape, Cylinder):
         return Call("ball" if solid.form == "ball" else "box", 0.98)
-    if solid.form == "beaker":
-        wide = _share(shape.radius_m - 0.75 * shape.height_m, 0.006)
-        return _one_of("bowl", wide, "cup", 1.0 - wide)
+    is_open = _share(solid.open_odds, 1.0)
+    wide = _share(shape.radius_m - 0.75 * shape.height_m, 0.006)
     tall = _share(shape.height_m - 0.145, 0.006)
-    return _one_of("bottle", tall, "can", 1.0 - tall)
+    if "top" not in solid.measured:  # it is at least so high
+        tall = max(tall, 0.5)
+    return _likeliest(
+        {
+            "cup": is_open * (1.0 - wide),
+            "bowl": is_open * wide,
+            "can": (1.0 - is_open) * (1.0 - tall),
+            "bottle": (1.0 - is_open) * tall,
+        }
+    )
 
 
 def _share(excess: float, width: float) -> float:
     return float(1.0 / (1.0 + np.exp(-np.clip(excess / width, -30.0, 30.0))))
 
 
-def _one_of(one: str, share: float, other: str, rest: float) -> Call:
-    kind, score, second = (one, share, other) if share >= rest else (other, rest, one)
-    return Call(kind, score, (second,) if score < ALIKE_BELOW else ())
+def _likeliest(shares: Mapping[str, float]) -> Call:
+    """The likeliest kind, with those that together with it leave little out."""
+    first, *others = sorted(shares, key=lambda kind: (-shares[kind], kind))
+    alike: list[str] = []
+    told = shares[first]
+    for kind in others:
+        if told >= ALIKE_BELOW:
+            break
+        alike.append(kind)
+        told += shares[kind]
+    return Call(first, shares[first], tuple(alike))

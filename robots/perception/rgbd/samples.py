@@ -19,6 +19,8 @@ _GROUND_M = 0.015
 _BEYOND_PX = 4
 """So far outside an outline the background has come back again."""
 _BEHIND_M = 0.010
+_UP = (-1, 0)
+"""Of a step from row to row and from column to column, in a picture that is upright."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +40,9 @@ class Samples(InFloat64):
         pixels: How many each piece has, shape (k,).
         boxes: First column and row, and those after the last, shape (k, 4).
         cut: Share of a piece's outline that ends behind something nearer.
-        border: Share of it that ends at the edge of the picture.
+        border: Share of it that ends where nothing is measured: at the edge of the picture, or where it is
+            too near for the camera.
+        topless: Share of its upper ends that end so: its top is out of sight where that is most of them.
     """
 
     points: Array
@@ -54,6 +58,7 @@ class Samples(InFloat64):
     boxes: NDArray[np.int64]
     cut: Array
     border: Array
+    topless: Array
 
 
 def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
@@ -82,7 +87,7 @@ def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
         ],
         axis=-1,
     ).astype(np.int64)
-    u, v, owner, cut, border = _outline(cloud, segments)
+    u, v, owner, cut, border, topless = _outline(cloud, segments)
     eye = cloud.odom_T_camera[:3, 3]
     _, _, ray_pick, ray_weight = _picked(owner, count, RAYS)
     if not len(u):  # no outline is in sight
@@ -109,6 +114,7 @@ def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
         boxes=boxes,
         cut=cut,
         border=border,
+        topless=topless,
     )
 
 
@@ -138,13 +144,16 @@ def _origins(points: Array, weight: Array, ground_m: Array) -> Array:
 
 def _outline(
     cloud: Cloud, segments: Segments
-) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64], Array, Array]:
-    """Between which pixels an outline runs that is a thing's own, with its owner, sorted by owner."""
+) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64], Array, Array, Array]:
+    """Between which pixels an outline runs that is a thing's own, with its owner, sorted by owner.
+
+    And the shares of each one's outline that end behind something, and at the border, and of its upper ends.
+    """
     labels, depth = segments.labels, cloud.depth_m
     lost = (depth <= 0.0).astype(np.int32)
     us, vs, owners, own, hidden, outside, heights = [], [], [], [], [], [], []
     rows, columns = labels.shape
-    for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+    for dy, dx in ((0, 1), (0, -1), (1, 0), _UP):
         here_y, here_x = np.nonzero((labels > 0) & (_shifted(labels, dy, dx) != labels))
         out_y, out_x = here_y + _BEYOND_PX * dy, here_x + _BEYOND_PX * dx
         within = (out_y >= 0) & (out_y < rows) & (out_x >= 0) & (out_x < columns)
@@ -153,13 +162,17 @@ def _outline(
         apart = within & (labels[oy, ox] != whose)
         own.append(apart & (beyond > shown + np.float32(_BEHIND_M)))
         hidden.append(apart & (beyond > 0.0) & (beyond < shown - np.float32(_BEHIND_M)))
-        outside.append(~within)
         # returns are missing on both sides of an edge: it is in the middle of the gap
         gap, still = np.zeros(len(here_y), np.float32), np.ones(len(here_y), np.int32)
         for step in range(1, _BEYOND_PX):
             gy, gx = np.clip(here_y + step * dy, 0, rows - 1), np.clip(here_x + step * dx, 0, columns - 1)
             still = still * lost[gy, gx]
             gap += still
+        far_y, far_x = (
+            np.clip(out_y + _BEYOND_PX * dy, 0, rows - 1),
+            np.clip(out_x + _BEYOND_PX * dx, 0, columns - 1),
+        )
+        outside.append(~within | ((still > 0) & (beyond <= 0.0) & (depth[far_y, far_x] <= 0.0)))
         us.append(here_x + dx * (np.float32(0.5) + np.float32(0.5) * gap))
         vs.append(here_y + dy * (np.float32(0.5) + np.float32(0.5) * gap))
         heights.append(cloud.z[here_y, here_x])
@@ -173,13 +186,15 @@ def _outline(
         np.bincount(owner, np.concatenate(some).astype(np.float64), minlength=count)[:count] / total[:count]
         for some in (hidden, outside)
     )
+    upper = np.maximum(np.bincount(owners[-1], minlength=count), 1)
+    topless = np.bincount(owners[-1], outside[-1].astype(np.float64), minlength=count)[:count] / upper[:count]
     ground = np.zeros(count)
     ground[:] = np.inf
     np.minimum.at(ground, owner, low)
     keep = np.concatenate(own) & (low > ground[owner] + _GROUND_M)
     u, v, owner = u[keep], v[keep], owner[keep]
     order = np.argsort(owner, kind="stable")
-    return u[order], v[order], owner[order], cut, border
+    return u[order], v[order], owner[order], cut, border, topless
 
 
 def _shifted(image: NDArray[np.int32], dy: int, dx: int) -> NDArray[np.int32]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, InFloat64
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.openness import DEEP_M, is_open_box, odds_of_open
 from robots.perception.rgbd.samples import Samples
 from robots.perception.rgbd.solids import (
     Fit,
@@ -29,16 +30,14 @@ Form = Literal["cylinder", "beaker", "box", "crate", "ball"]
 """A beaker is a cylinder that is open at the top, a crate a box that is."""
 _HOLLOW_SHARE = 0.10
 """A box of whose points more are deep inside it is open."""
-_DEPTH_OF_A_BEAKER_M = 0.012
-_OPEN_SHARE = 0.55
-_ASKED = np.array([(r * np.cos(a), r * np.sin(a)) for r in (0.3, 0.6) for a in np.arange(12) * np.pi / 6.0])
-"""Places over the top of a thing, in radii, at which a beaker is looked into."""
-_BY_WALLS = np.array([(a, b) for a in (-0.75, 0.0, 0.75) for b in (-0.75, 0.0, 0.75) if (a, b) != (0.0, 0.0)])
-_BY_WALLS_SHARE = 0.35
-"""Places along the walls of a box, in half edges, at which it is looked into."""
 _WIDEST_OF_VISIBLE = 1.25, 0.003
 """A cylinder is no wider than this share of what is seen of it, and so much more: else a box that is seen
 face on becomes a huge one."""
+_CUT_SHARE, _WIDEST_OF_CUT = 0.06, 2.5
+"""What has more of its outline than this share out of sight may be so much wider than what is seen of it."""
+_TOPLESS, _HEIGHT_UNSEEN_M = 0.5, 0.10
+"""Where more of the upper ends than this share are out of sight, the height is told as far as it is seen, and
+is uncertain by so much."""
 _FALLS_SHORT_M = 0.015
 """A ball that is so much lower or higher than it is wide is none."""
 _LOOSE_BELOW_M = 0.03
@@ -64,6 +63,7 @@ class Solid(InFloat64):
         border: Share of it that ends at the edge of the picture.
         measured: What of it is measured: "top", "sides", "foot"; the rest, its back, is assumed.
         lifted_m: How high above the ground it begins; 0 for what stands.
+        open_odds: Of what is round: logarithm of the odds that it is open at the top.
     """
 
     form: Form
@@ -77,6 +77,7 @@ class Solid(InFloat64):
     border: float
     measured: frozenset[str]
     lifted_m: float = 0.0
+    open_odds: float = 0.0
 
 
 def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np.bool_]]:
@@ -85,14 +86,15 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     round_start = np.column_stack([view.middle, view.half_width, view.height])
     outside = samples.weight * visible_side(samples, view.middle, view.height)
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
-    beaker = _is_open(cloud, samples, rounds)
+    open_odds = odds_of_open(cloud, samples, rounds)
+    beaker = open_odds > 0.0
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
     boxes, crate = _without_insides(cloud, samples, boxes, view)
     ball_start = np.column_stack([view.middle, 0.5 * view.height])
     balls = fit(samples, ball_start, ball_distance, slice(2, 3))
     scores = np.stack(
         [
-            np.where(_too_wide(view, rounds), np.inf, rounds.score),
+            np.where(_too_wide(view, rounds, samples), np.inf, rounds.score),
             # what is open at the top is round: boxes that are so have a form of their own
             np.where(beaker & ~crate, boxes.score + 1.0, boxes.score),
             np.where(_no_ball(view, balls), np.inf, balls.score),
@@ -110,7 +112,12 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
             ("ball", balls),
         )[int(kind)]
         lifted = float(view.low[k]) if hangs[k] else 0.0
-        made.append(_solid(which[0], which[1], k, samples, view, float(margin[k]), lifted))
+        made.append(
+            replace(
+                _solid(which[0], which[1], k, samples, view, float(margin[k]), lifted),
+                open_odds=float(open_odds[k]),
+            )
+        )
     return made, ~_within_another(samples, rounds, beaker & (best == 0))
 
 
@@ -121,10 +128,10 @@ def _without_insides(
     crate = np.zeros(len(samples.origin), np.bool_)
     for _ in range(2):
         on, _ = box_distance(samples.points, boxes.parameters, False)
-        deep = on < -_DEPTH_OF_A_BEAKER_M
+        deep = on < -DEEP_M
         share = (deep * samples.weight).sum(axis=1) / np.maximum(samples.weight.sum(axis=1), 1.0)
         wide = boxes.parameters[:, 3:5].min(axis=1) > _HOLDS_M
-        crate |= ((share > _HOLLOW_SHARE) & wide) | _is_open_box(cloud, samples, boxes)
+        crate |= ((share > _HOLLOW_SHARE) & wide) | is_open_box(cloud, samples, boxes)
         if not crate.any():
             break
         outside = np.where(crate[:, None], samples.weight * ~deep, samples.weight)
@@ -197,55 +204,14 @@ def _box_starts(samples: Samples, view: _View) -> Array:
     return starts
 
 
-def _too_wide(view: _View, rounds: Fit) -> NDArray[np.bool_]:
+def _too_wide(view: _View, rounds: Fit, samples: Samples) -> NDArray[np.bool_]:
     share, more = _WIDEST_OF_VISIBLE
-    return np.asarray(rounds.parameters[:, 2] > share * view.half_width + more)
+    widest = np.where(samples.border + samples.cut > _CUT_SHARE, _WIDEST_OF_CUT, share)
+    return np.asarray(rounds.parameters[:, 2] > widest * view.half_width + more)
 
 
 def _no_ball(view: _View, balls: Fit) -> NDArray[np.bool_]:
     return np.asarray(np.abs(2.0 * balls.parameters[:, 2] - view.height) > _FALLS_SHORT_M)
-
-
-def _is_open(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
-    """Whether most rays through a round thing's top end below it."""
-    x, y, radius, height = rounds.parameters.T
-    top = np.zeros((len(x), len(_ASKED), 3))
-    top[..., 0] = x[:, None] + radius[:, None] * _ASKED[:, 0]
-    top[..., 1] = y[:, None] + radius[:, None] * _ASKED[:, 1]
-    top[..., 2] = height[:, None]
-    return np.asarray(_ends_below(cloud, samples, top) > _OPEN_SHARE)
-
-
-def _is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_]:
-    """Whether many rays along the walls of a wide box end below its top, whatever is in its middle."""
-    x, y, yaw, a, b, height = boxes.parameters.T
-    along, across = a[:, None] * _BY_WALLS[:, 0], b[:, None] * _BY_WALLS[:, 1]
-    c, s = np.cos(yaw)[:, None], np.sin(yaw)[:, None]
-    top = np.stack(
-        [
-            x[:, None] + c * along - s * across,
-            y[:, None] + s * along + c * across,
-            np.broadcast_to(height[:, None], along.shape),
-        ],
-        axis=-1,
-    )
-    return np.asarray((_ends_below(cloud, samples, top) > _BY_WALLS_SHARE) & (np.minimum(a, b) > _HOLDS_M))
-
-
-def _ends_below(cloud: Cloud, samples: Samples, top: Array) -> Array:
-    """Of rays through places on the tops of things, shape (k, n, 3), the shares that end below them."""
-    k, count, _ = top.shape
-    camera_R_odom = cloud.odom_T_camera[:3, :3].T
-    seen = (top - samples.eye[:, None]) @ camera_R_odom.T
-    pixels = np.round(cloud.picture.pixels_of(seen.reshape(-1, 3))).astype(np.int64)
-    rows, columns = cloud.depth_m.shape
-    within = (pixels[:, 0] >= 0) & (pixels[:, 0] < columns) & (pixels[:, 1] >= 0) & (pixels[:, 1] < rows)
-    u, v = np.clip(pixels[:, 0], 0, columns - 1), np.clip(pixels[:, 1], 0, rows - 1)
-    there = within & (cloud.depth_m[v, u] > 0.0)
-    below = samples.origin[:, 2].repeat(count) + top[..., 2].ravel() - cloud.z[v, u]
-    deep = there & (below > np.maximum(_DEPTH_OF_A_BEAKER_M, 4.0 * cloud.sigma_m[v, u]))
-    told = there.reshape(k, -1).sum(axis=1)
-    return np.asarray(deep.reshape(k, -1).sum(axis=1) / np.maximum(told, 6))
 
 
 def _ground_of(solid: Solid, place: Array, room_m: float) -> bool:
@@ -314,7 +280,11 @@ def _solid(
         shape = _without_foot(shape, lifted)
     place = np.array([x, y, ground + lifted + 0.5 * shape.height_m])
     low = float(view.low[k])
-    measured = {"top"} | ({"sides"} if low < 0.6 * shape.height_m else set())
+    measured = {"sides"} if low < 0.6 * shape.height_m else set()
+    if samples.topless[k] > _TOPLESS:
+        spread = (*spread[:-1], max(spread[-1], _HEIGHT_UNSEEN_M))
+    else:
+        measured.add("top")
     if low < _LOOSE_BELOW_M:
         measured.add("foot")
     return Solid(

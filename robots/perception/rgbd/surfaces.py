@@ -20,8 +20,9 @@ LEAST_AREA_M2 = 0.03
 _APART_M = 0.04
 _MOST = 5
 _TOLERANCES_M = (0.020, 0.008, 0.006)
-MOST_TILT_RAD = 0.015
-"""Five times what calibration leaves: a surface that leans more is no level one that was seen askew."""
+MOST_TILT_RAD = 0.07
+"""A camera that was knocked out of its place is turned by less: a surface that leans more is no level one
+that was seen askew."""
 _EVERY = 2
 """Only every second pixel of every second row is looked at."""
 _CELL_M = 0.01

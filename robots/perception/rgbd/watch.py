@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Literal
 
+import cv2
 import numpy as np
 
 from robots.perception.rgbd.picture import Picture
@@ -16,10 +17,10 @@ Trouble = Literal["frozen", "dark", "no depth", "outshone"]
 
 TOLD: Mapping[Trouble, str] = MappingProxyType(
     {
-        "frozen": "the camera shows the same picture again and again",
-        "dark": "the picture is too dark",
-        "no depth": "the camera measures hardly any depth",
-        "outshone": "the picture is outshone",
+        "frozen": "it shows the same picture again and again",
+        "dark": "its picture is too dark, it takes more light",
+        "no depth": "it measures hardly any depth",
+        "outshone": "its picture is outshone, a light shines into it",
     }
 )
 """The same in words."""
@@ -29,6 +30,11 @@ _SAME = 3
 _DARK = 25.0
 _LEAST_DEPTH = 0.25
 _MOST_WHITE = 0.5
+_DIM, _SOME_WHITE, _SOME_LOST = 110.0, 0.12, 0.12
+"""Where exposure does what it can, dim light is twice as bright; what is white and what gives no depth is a
+few hundredths of a usual picture."""
+_EVERY = 8
+_IN_REACH_M = 6.0
 
 
 class PictureWatch:
@@ -44,13 +50,45 @@ class PictureWatch:
         self._last = sample
         if self._same >= _SAME:
             return "frozen"
-        thin = picture.color[::4, ::4]
         there = picture.depth_m[::4, ::4][~picture.own[::4, ::4]] > 0.0
         if there.size > 100 and float(there.mean()) < _LEAST_DEPTH:
             return "no depth"
-        brightest = float(np.percentile(thin.max(axis=2), 95.0))
-        if brightest < _DARK:
+        if _brightest(picture) < _DARK:
             return "dark"
-        if float((thin.min(axis=2) > 250).mean()) > _MOST_WHITE:
+        if _white(picture) > _MOST_WHITE:
             return "outshone"
         return None
+
+    @staticmethod
+    def hindrance(picture: Picture) -> str | None:
+        """What makes a picture in which things can be looked for tell less than usual, or None."""
+        if _brightest(picture) < _DIM:
+            return "its picture is nearly dark"
+        if _white(picture) > _SOME_WHITE:
+            return "a part of its picture is outshone"
+        if _lost(picture) > _SOME_LOST:
+            return "it measures no depth in a part of its picture, its lens may be dirty"
+        return None
+
+
+def _brightest(picture: Picture) -> float:
+    """How bright the brightest parts are; a dark picture's noise is averaged out of them."""
+    height, width = picture.depth_m.shape
+    mean = cv2.resize(picture.color, (width // _EVERY, height // _EVERY), interpolation=cv2.INTER_AREA)
+    return float(np.percentile(mean.max(axis=2), 95.0))
+
+
+def _white(picture: Picture) -> float:
+    """Share of the picture that is as bright as can be."""
+    return float((picture.color[::4, ::4].min(axis=2) > 250).mean())
+
+
+def _lost(picture: Picture) -> float:
+    """Share of the picture without depth, of what must show something in reach: a floor or what is on it."""
+    across, down = picture.rays()
+    row = picture.odom_T_camera[2, :3]
+    falls = -(row[0] * across[None, ::_EVERY] + row[1] * down[::_EVERY, None] + row[2])
+    floor_m = float(picture.odom_T_camera[2, 3]) / np.maximum(falls, 1e-6)
+    sees = (falls > 0.0) & (floor_m < _IN_REACH_M) & ~picture.own[::_EVERY, ::_EVERY]
+    lost = sees & (picture.depth_m[::_EVERY, ::_EVERY] <= 0.0)
+    return float(lost.sum() / max(int(sees.sum()), 1))

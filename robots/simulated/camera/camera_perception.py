@@ -27,7 +27,7 @@ from robots.perception.rgbd.furniture_map import furniture_map
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.physics import Physics
 from robots.simulated.camera.feed import Believed, CameraFaults, CameraFeed
-from robots.simulated.camera.orders import Answer, Setup
+from robots.simulated.camera.orders import Answer, Setup, Shot
 from robots.simulated.pictures.opengl import require_opengl
 
 _MODULE = "robots.simulated.camera.process"
@@ -38,8 +38,9 @@ class CameraPerception:
     """A ``Detector`` over the robot's first camera; and the cameras of its scene beside it.
 
     Whoever advances the world calls ``tick`` once each control period. Pictures are taken when somebody
-    looks, drawn and looked at in a process of their own, one for all cameras. In lockstep each is waited for;
-    live, it comes when it is done.
+    looks, drawn and looked at in a process of their own, one for all cameras. Live, what is in them comes
+    when it is done. In lockstep each is drawn when it is due to be told, and waited for, if somebody still
+    looks then; nobody misses the others.
 
     Attributes:
         cameras: Those that stand in the room, in the scene's order; each a ``Detector`` of its own.
@@ -72,14 +73,22 @@ class CameraPerception:
             int(seed_rng.integers(2**31)),
             labelling,
         )
-        self._own = CameraFeed(0, picture_camera(robot), physics, scene.light, clock, believed)
+        self._own = CameraFeed(0, picture_camera(robot), physics, scene.light, clock, believed, waits=waits)
         self.cameras = tuple(
-            CameraFeed(number, camera.lens, physics, scene.light, clock, partial(_standing, believed, place))
+            CameraFeed(
+                number,
+                camera.lens,
+                physics,
+                scene.light,
+                clock,
+                partial(_standing, believed, place),
+                waits=waits,
+            )
             for number, (camera, place) in enumerate(
                 zip(scene.cameras, calibrated_places(scene), strict=True), start=1
             )
         )
-        self._under_way: deque[CameraFeed] = deque()
+        self._under_way: deque[tuple[CameraFeed, Shot]] = deque()
         self._pipe = _start(self)
         labels = self._ask(setup)
         for feed in self._feeds:
@@ -113,9 +122,9 @@ class CameraPerception:
         while self._under_way and self._pipe.poll(0):
             self._take_answer()
         for feed in self._feeds:
-            if (shot := feed.shot()) is not None:
+            for shot in feed.shots():
                 self._pipe.send(shot)
-                self._under_way.append(feed)
+                self._under_way.append((feed, shot))
                 if self._waits:
                     self._take_answer()
             feed.deliver()
@@ -128,13 +137,13 @@ class CameraPerception:
 
     def _take_answer(self) -> None:
         answer = self._received()
-        feed = self._under_way.popleft()
+        feed, shot = self._under_way.popleft()
         if not isinstance(answer, Answer):
-            feed.take(None)
+            feed.take(None, shot)
             return
         if answer.silence and answer.silence not in self.silences:
             self.silences += (answer.silence,)
-        feed.take(answer)
+        feed.take(answer, shot)
 
     def _ask(self, question: object) -> Any:
         self._pipe.send(question)

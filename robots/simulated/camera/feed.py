@@ -22,6 +22,8 @@ from robots.simulated.camera.orders import Answer, LensFaults, Shot, WorldState
 _TIME_TOLERANCE_S = 1e-9
 _IDLE_S = 0.1
 """When nobody has asked for a frame for so long, none is taken: each costs as much as many periods."""
+_STILL_S = 0.05
+"""Who looks asks each tick; who has not asked for so long has seen enough."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,7 @@ class CameraFaults(StubFaults):
 class CameraFeed:
     """A ``Detector`` over one camera.
 
-    Whoever asks the process that draws for pictures calls ``wants``, ``shot``, ``take`` and ``deliver``.
+    Whoever asks the process that draws for pictures calls ``shots``, ``take`` and ``deliver``.
 
     Attributes:
         labels: The words that it can tell; None: any.
@@ -74,6 +76,8 @@ class CameraFeed:
         light: Light,
         clock: Clock,
         believed: Callable[[], Believed],
+        *,
+        waits: bool,
     ) -> None:
         """Begin without a picture.
 
@@ -84,6 +88,7 @@ class CameraFeed:
             light: Of the scene.
             clock: Simulated time.
             believed: Tells what the robot knows now.
+            waits: Whether each picture is drawn when it is due to be told, and waited for, as lockstep needs.
         """
         self.labels: frozenset[str] | None = None
         self.faults = CameraFaults()
@@ -91,7 +96,8 @@ class CameraFeed:
         self._number, self._camera, self._physics, self._light = number, camera, physics, light
         self._clock, self._believed = clock, believed
         self._pending: deque[PerceptionFrame] = deque()
-        self._asked = False
+        self._waits, self._taken = waits, deque[Shot]()
+        self._under_way = False
         self._latest: PerceptionFrame | None = None
         self._pictures = 0
         self._start_s = self._due_s = self._asked_s = clock.now_s()
@@ -107,30 +113,37 @@ class CameraFeed:
         """Tell every object of a kind at a wrong place; see ``StubFaults.misplace``."""
         self.faults.misplace(kind, offset_m, first_look_only)
 
-    def shot(self) -> Shot | None:
-        """The picture that is due now, if one is, somebody looks, and the one before is done."""
+    def shots(self) -> list[Shot]:
+        """The pictures that have to be drawn now: ``take`` is told what came of each."""
         now_s = self._clock.now_s() + _TIME_TOLERANCE_S
-        if now_s < self._due_s:
-            return None
-        wanted = now_s - self._asked_s <= _IDLE_S and not self._asked
-        shot = self._shot() if wanted else None
-        self._asked = self._asked or wanted
-        self._pictures += 1
-        self._due_s = self._start_s + self._pictures / self._camera.rate_hz
-        return shot
+        if now_s >= self._due_s:
+            if now_s - self._asked_s <= _IDLE_S and (self._waits or not (self._taken or self._under_way)):
+                self._taken.append(self._shot())
+            self._pictures += 1
+            self._due_s = self._start_s + self._pictures / self._camera.rate_hz
+        wanted = []
+        while self._taken and (not self._waits or now_s >= self._taken[0].stamp_s + self._late_s):
+            shot = self._taken.popleft()
+            if not self._waits or now_s - self._asked_s <= _STILL_S:
+                wanted.append(shot)
+                self._under_way = True
+        return wanted
 
-    def take(self, answer: Answer | None) -> None:
+    def take(self, answer: Answer | None, shot: Shot) -> None:
         """Take what came of a picture; None when nothing did."""
-        self._asked = False
+        self._under_way = False
         if answer is not None:
             self.looked_s.append(answer.looked_s)
-            self._pending.append(self._displaced(answer.frame))
+            self._pending.append(self._displaced(answer.frame, shot.odom_T_camera[:3, :3]))
+
+    @property
+    def _late_s(self) -> float:
+        return self._camera.latency_s + self.faults.late_s
 
     def deliver(self) -> None:
         """Tell the frames whose latency has passed."""
         now_s = self._clock.now_s() + _TIME_TOLERANCE_S
-        late_s = self._camera.latency_s + self.faults.late_s
-        while self._pending and now_s >= self._pending[0].stamp_s + late_s:
+        while self._pending and now_s >= self._pending[0].stamp_s + self._late_s:
             self._latest = self._pending.popleft()
 
     def _shot(self) -> Shot:
@@ -152,9 +165,8 @@ class CameraFeed:
             camera=self._number,
         )
 
-    def _displaced(self, frame: PerceptionFrame) -> PerceptionFrame:
+    def _displaced(self, frame: PerceptionFrame, odom_R_camera: Array) -> PerceptionFrame:
         """The frame with the errors that were injected into what it tells."""
-        odom_R_camera = self._believed().odom_T_camera[:3, :3]
         told = []
         for seen in frame.detections:
             offset = self.faults.offset_m(seen.category, seen.kind, frame.stamp_s)

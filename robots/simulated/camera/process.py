@@ -8,7 +8,7 @@ other (``Shot``). It ends when whoever asks does.
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -102,9 +102,11 @@ class CameraProcess:
         """Take a picture and look at it."""
         picture = self.take(shot)
         began = self._processor.now_s()
-        trouble = self._posts[shot.camera].watch.judge(picture)
+        watch = self._posts[shot.camera].watch
+        trouble = watch.judge(picture)
         if trouble is None:
             frame = self._eyes.detect(picture, shot.sequence)
+            frame = replace(frame, hindrance=watch.hindrance(picture))
         else:
             frame = PerceptionFrame(shot.stamp_s, shot.sequence, (), TOLD[trouble])
         silence = "" if self._labellers is None else self._labellers.trouble

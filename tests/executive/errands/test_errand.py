@@ -17,7 +17,7 @@ from kinematics.geometry.shapes import Box, Cylinder
 from robots.fake.fake_world import bowl, cup, person
 from robots.perception.truth_view import TrueObject
 from robots.scenes.scene_description import Region
-from trees.events import NodeChanged
+from trees.events import NodeChanged, ThingPictured
 from trees.tasks import (
     DescribeTask,
     FindTask,
@@ -109,6 +109,20 @@ def test_the_only_one_is_asked_about_where_it_may_not_be_what_was_said(stage, an
     assert on.questions == [
         OpenQuestion("which one is made of wood? that cannot be seen", ("red cup",)),
     ]
+    assert result.outcome == outcome
+    assert on.moved_when_asked == [False]
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("answer", "outcome"), [("yes", "done"), ("no", "cancelled"), (None, "question")])
+def test_what_the_camera_is_not_sure_of_is_asked_about_and_the_answer_is_heeded(stage, answer, outcome):
+    on = stage(LEFT)
+    on.fake.fake.detector.confidence[LEFT.name] = 0.3
+
+    [result] = on.run(PickTask("take the red cup", ObjectDescription("cup", "red")), answers=[answer])
+
+    assert on.questions == [OpenQuestion("is this the red cup?", ("red cup",))]
+    assert [event.what for event in on.of(ThingPictured)] == ["red cup"]
     assert result.outcome == outcome
     assert on.moved_when_asked == [False]
 

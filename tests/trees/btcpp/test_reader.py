@@ -78,7 +78,10 @@ DEEP = "<Inverter>" * 300 + "<GoHome/>" + "</Inverter>" * 300
         (tree('<LookAt gaze="up;high"/>'), "gaze: could not convert string to float: 'high'"),
         (tree('<LookAt gaze="up;nan"/>'), "gaze: must be finite"),
         (tree('<Survey keeping="yes"/>'), "keeping: must be true or false, not 'yes'"),
-        (tree('<Detect part="yes"/>'), "part: must be one of alone, first, side, last, again, not 'yes'"),
+        (
+            tree('<Detect part="yes"/>'),
+            "part: must be one of alone, first, side, last, again, closer, asking, not 'yes'",
+        ),
         (tree('<Detect task="pick"/>'), "task must refer to a key, as {task}, not 'pick'"),
         (tree('<GoHome _skipIf="x > 1"/>'), "_skipIf needs a script, and scripts are not run"),
         (tree('<SubTree ID="Nowhere"/>'), "there is no tree 'Nowhere'"),

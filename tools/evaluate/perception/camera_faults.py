@@ -10,7 +10,7 @@ from types import MappingProxyType
 import numpy as np
 
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Box
+from kinematics.geometry.shapes import Box, Shape
 from robots.scenes.light import LIGHT_KINDS, Light, LightChange
 from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.simulated.camera.feed import CameraFaults
@@ -19,8 +19,9 @@ from robots.simulated.camera.orders import LensFaults
 MISCALIBRATED_RAD = math.radians(2.0)
 _CHANGES_S = (0.5, 3.0)
 _EPISODE_S = 60.0
-_BEFORE_M = (0.07, 0.10)
-"""From the middle of the thing to that of what stands before it."""
+_GAP_M, _HIGHER_M = (0.03, 0.05), (-0.01, 0.03)
+"""Between the thing and what stands before it, as amid clutter, where hands come in from other sides; and by
+how much that is higher."""
 
 Wrong = Callable[[CameraFaults, np.random.Generator], None]
 
@@ -89,8 +90,8 @@ def _occluded(scene: SceneDescription, target: str, rng: np.random.Generator) ->
     x, y, z = thing.world_T_object[:3, 3].tolist()
     start = scene.robot_start
     away = math.hypot(x - start.x_m, y - start.y_m)
-    before_m = float(rng.uniform(*_BEFORE_M))
-    size = (0.04, float(rng.uniform(0.05, 0.08)), float(rng.uniform(0.10, 0.16)))
+    size = (0.04, float(rng.uniform(0.05, 0.08)), thing.shape.height_m + float(rng.uniform(*_HIGHER_M)))
+    before_m = float(rng.uniform(*_GAP_M)) + 0.5 * size[0] + _reach_m(thing.shape)
     heading = math.atan2(y - start.y_m, x - start.x_m)
     share = (away - before_m) / away
     top = z - 0.5 * thing.shape.height_m
@@ -104,6 +105,10 @@ def _occluded(scene: SceneDescription, target: str, rng: np.random.Generator) ->
     if place[0] < edge:  # it would stand over the edge of the table
         return scene
     return replace(scene, objects=(*others, blind))
+
+
+def _reach_m(shape: Shape) -> float:
+    return 0.5 * math.hypot(*shape.size_m[:2]) if isinstance(shape, Box) else shape.radius_m
 
 
 def _far(item: SceneItem, place: tuple[float, float, float]) -> bool:

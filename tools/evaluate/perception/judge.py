@@ -46,7 +46,7 @@ class ThingRecord:
         color, told_color, kind, told_kind: True words, and those that were told.
         alike: Kinds that were told to look alike.
         confidence: In [0, 1].
-        right: There, of that kind and colour, and near enough.
+        right: There, of that kind, or of one that is told to look alike, and colour, and near enough.
         features, evidence: What its colour and its confidence were made of.
         score: Of the fit.
     """
@@ -187,7 +187,8 @@ def _record(
     if thing is None:
         return ThingRecord(item.name, visible, cut, False, color=item.color, kind=item.kind)
     off = float(np.linalg.norm((odom_T_world @ item.world_T_object[:, 3])[:3] - thing.solid.place_m))
-    right = off < _RIGHT_M and thing.color == item.color and thing.call.kind == item.kind
+    called = item.kind in (thing.call.kind, *thing.call.alike)
+    right = off < _RIGHT_M and thing.color == item.color and called
     true, told = _extents(item.shape), _extents(thing.solid.shape)
     return ThingRecord(
         name=item.name,

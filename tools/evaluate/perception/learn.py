@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from kinematics.arrays import Array
+from robots.perception.rgbd.confidence import FEATURES, RIGHT
 from robots.scenes.scene_words import COLORS
 from tools.evaluate.perception.judge import PictureRecord, ThingRecord
 
@@ -65,7 +66,9 @@ def main(files: Sequence[str]) -> int:
     evidence = np.array([thing.evidence for thing in things])
     right = np.array([thing.right for thing in things], dtype=np.float64)
     real = np.array([bool(thing.name) and thing.position_m < _NEAR_M for thing in things], dtype=np.float64)
-    print(f"RIGHT = {tuple(np.round(weights(evidence, right), 3).tolist())!r}")
+    few = [name for name in RIGHT if name != "constant"]
+    found = weights(evidence[:, [FEATURES.index(name) for name in few]], right)
+    print(f"RIGHT = {dict(zip(('constant', *few), np.round(found, 2).tolist(), strict=True))!r}")
     print(f"THERE = {tuple(np.round(weights(evidence, real), 3).tolist())!r}")
     return 0
 

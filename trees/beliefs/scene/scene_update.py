@@ -15,7 +15,7 @@ from trees.policy import TreePolicy
 
 _SAME_PLACE = 0.5
 """Two whose middles are nearer than this share of the wider one's width are at one place."""
-_SURE = 0.6
+SURE = 0.6
 """A sighting with less confidence does not do away with what is known."""
 _STACKED = 0.4
 """Of both heights: middles farther apart than this are one above the other."""
@@ -56,6 +56,7 @@ def updated_scene(
     could_be_unseen: Callable[[SceneObject], bool],
     may_have_moved: bool = True,
     reserved: Collection[str] = (FLOOR,),
+    sure: Collection[str] = (),
 ) -> SceneUpdate:
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
@@ -73,9 +74,14 @@ def updated_scene(
             merely looks around.
         reserved: Names of the robot's parts and of the floor, by which the scene tells what may touch: what
             is called so is numbered from 2 on ("floor 2").
+        sure: Names of what was surely seen before. An unsure sighting at such a place says that it is still
+            there, and nothing else.
     """
     groups: dict[str, list[ObjectEstimate]] = {}
-    seen_now = [estimate for estimate in estimates if not _contradicts_unsurely(estimate, scene)]
+    told = list(estimates)
+    doubted = {k for k, estimate in enumerate(told) if _contradicts_unsurely(estimate, scene, sure)}
+    seen_now = [estimate for k, estimate in enumerate(told) if k not in doubted]
+    something = [told[k] for k in sorted(doubted)]
     for estimate in seen_now:
         groups.setdefault(words_for(estimate), []).append(estimate)
     objects: dict[str, SceneObject] = {}
@@ -91,7 +97,8 @@ def updated_scene(
             if name in matched:
                 continue
             moved = bool(strangers) and (may_have_moved or is_name(name))
-            hidden = not moved and could_be_unseen(item) and not _place_taken(item, seen_now)
+            there = could_be_unseen(item) or _place_taken(item, something)
+            hidden = not moved and there and not _place_taken(item, seen_now)
             stays = hidden if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
@@ -106,15 +113,18 @@ def updated_scene(
     return SceneUpdate(scene.with_objects(objects.values()), seen)
 
 
-def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene) -> bool:
-    """Whether an unsure sighting is where something is known to be that is called otherwise.
+def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: Collection[str]) -> bool:
+    """Whether an unsure sighting is where something is known to be, surely or under another name.
 
-    Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box.
+    Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box, or like a
+    lower cup.
     """
-    if estimate.category != "object" or estimate.confidence >= _SURE:
+    if estimate.category != "object" or estimate.confidence >= SURE:
         return False
     return any(
-        item.movable and kind_of(name) != words_for(estimate) and _same_place(item, estimate)
+        item.movable
+        and (name in sure or kind_of(name) != words_for(estimate))
+        and _same_place(item, estimate)
         for name, item in scene.objects.items()
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Mapping
 from typing import Literal
 
@@ -9,11 +10,11 @@ from py_trees.common import Status
 
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
-from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, compares, ground
+from trees.beliefs.grounding.grounding import Ambiguous, Choice, Found, Missing, compares, ground
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.scene_update import kind_of, words_for
-from trees.events import Said
+from trees.events import Said, ThingPictured
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -26,9 +27,10 @@ from trees.skills.looking.whole_top import seen_wholly
 from trees.tasks import ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
 
-Part = Literal["alone", "first", "side", "last", "again"]
+Part = Literal["alone", "first", "side", "last", "again", "closer", "asking"]
 """What a look is for: by itself; one of several, during which nothing is moved; of those, one to the sides
-that was asked for, the last of these, and the one ahead after they have lost what had been seen."""
+that was asked for, the last of these, and the one ahead after they have lost what had been seen; one at what
+may be the thing that is meant, and the last of all, after which a person is asked whether it is."""
 
 
 class Detect(LookLeaf):
@@ -104,6 +106,7 @@ class Detect(LookLeaf):
         match grounding:
             case Missing(message):
                 reason = Reason.LOST_FROM_VIEW if self.part == "last" else Reason.NOT_SEEN
+                message = "; ".join(filter(None, (message, world.sees_badly)))
                 return Failure.postcondition(message, seen=_words(seen)).because(reason)
             case Ambiguous(_, choices) as unclear:
                 unseen = sum(choice.name not in world.sightings for choice in choices)
@@ -140,22 +143,57 @@ class Detect(LookLeaf):
         words = kind_of(name)
         # What an earlier look showed counts only among looks between which nothing was moved.
         several = self.part in ("last", "again")
-        estimate = world.sightings.get(name) if several else seen.get(name)
+        before = world.sightings.get(name)
+        estimate = before if several else seen.get(name)
         if estimate is None:
             message = f"the {words} was seen before, but is not in view now"
-            return Failure.postcondition(message, seen=_words(seen)).because(Reason.NOT_SEEN)
+            unsure = before is not None and self._doubts(before)
+            reason = Reason.UNSURE if unsure and self.part != "asking" else Reason.NOT_SEEN
+            return Failure.postcondition(message, seen=_words(seen)).because(reason)
         if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
             message = f"what the {words} stands on is not seen"
             return Failure.postcondition(message, seen=_words(seen)).because(Reason.NOT_SEEN)
         self._set_output("others", names[1:])
-        return Target(
+        target = Target(
             name, estimate.kind, estimate.color, estimate.shape, estimate.odom_T_object, estimate.confidence
         )
+        if not self._doubts(estimate):
+            return target
+        self._set_output("target", target)  # it is what a closer look is aimed at
+        return self._whether_it_is(target)
+
+    def _doubts(self, estimate: ObjectEstimate) -> bool:
+        """Whether a sighting is too unsure to act on; what a person has pointed out is not doubted."""
+        wanted = self.get_input("task").object
+        said_which = isinstance(wanted, ObjectDescription) and wanted.name is not None
+        return not said_which and estimate.confidence < self.toolbox.policy.sure_from
+
+    def _show(self, name: str, wanted: str) -> None:
+        """Keep the picture of what a person is asked about, if the detector gives one."""
+        estimate = self.toolbox.world.sightings.get(name)
+        if estimate is not None and estimate.picture is not None:
+            png = base64.b64encode(estimate.picture).decode("ascii")
+            self.toolbox.events(ThingPictured(self.toolbox.clock.now_s(), wanted, png))
+
+    def _whether_it_is(self, target: Target) -> Failure:
+        """Look again, or ask a person in the end."""
+        wanted = self.get_input("task").object
+        if self.part == "asking":
+            self._show(target.name, str(wanted))
+            choice = Choice(target.name, kind_of(target.name))
+            return which_is_meant(Ambiguous(f"is this the {wanted}?", (choice,)))
+        message = f"what may be the {wanted} is not seen well enough"
+        return Failure.postcondition(message, confidence=target.confidence).because(Reason.UNSURE)
 
 
 def wants_survey(failure: Failure) -> bool:
     """Tell whether a look failed only because others are needed to compare."""
     return failure.root.reason is Reason.MORE_LOOKS_NEEDED
+
+
+def is_unsure(failure: Failure) -> bool:
+    """Tell whether a look failed only because what it showed may be something else."""
+    return failure.root.reason is Reason.UNSURE
 
 
 def is_sure(failure: Failure) -> bool:

@@ -17,7 +17,14 @@ from robots.perception.fusion.cameras import HEAD, PlacedCamera, Seen
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import seen_to_float, standing_on_tops
 from trees.beliefs.openings.moved_parts import without_moved_parts
-from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, scene_object, updated_scene, words_for
+from trees.beliefs.scene.scene_update import (
+    SURE,
+    SceneUpdate,
+    kind_of,
+    scene_object,
+    updated_scene,
+    words_for,
+)
 from trees.beliefs.sight.in_plain_sight import in_plain_sight
 from trees.beliefs.sight.sight import Glimpse
 from trees.failures import Failure, Reason
@@ -115,6 +122,7 @@ def folded_look(
         ),
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
+        sure=[name for name, one in world.sightings.items() if one.confidence >= SURE],
     )
     update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
+from statistics import median
 
 from py_trees.common import Status
 
@@ -120,6 +122,8 @@ class LookLeaf(GatheringLeaf):
         others = [view for views in self._placed.values() for view in views]
         if len(self._views) >= wanted:
             self._tell_covered()
+            self._tell_tilt()
+            self._tell_hindrance()
             return self.judge([*others, *self._views])
         if (failure := self._own_failure()) is not None:
             if any(len(views) >= wanted for views in self._placed.values()):
@@ -136,7 +140,8 @@ class LookLeaf(GatheringLeaf):
     def _own_failure(self) -> Failure | None:
         """Why the robot's own camera is of no use now; None while it may be."""
         if (trouble := self.trouble()) is not None:
-            message = f"the robot cannot see: {trouble}"
+            self.toolbox.world.sees_badly = f"the {HEAD} sees badly: {trouble}"
+            message = f"the robot cannot see with its {HEAD}: {trouble}"
             return Failure(FailureKind.EXECUTION, message).because(Reason.CANNOT_SEE)
         return self._faults.get(HEAD)
 
@@ -146,6 +151,29 @@ class LookLeaf(GatheringLeaf):
             if not views and (frame := self._troubles.get(source)) is not None:
                 failure = Failure(FailureKind.EXECUTION, f"the {source} shows nothing: {frame.trouble}")
                 tell_disagreement(self.toolbox, failure.because(Reason.CAMERA_BLIND).at(self.where))
+
+    def _tell_tilt(self) -> None:
+        """Say when the camera looks elsewhere than is believed, as what is level shows; the look counts."""
+        tilt_rad, most_rad = (
+            median(view.frame.tilt_rad for view in self._views),
+            self.toolbox.policy.most_tilt_rad,
+        )
+        if tilt_rad > most_rad:
+            message = (
+                f"the {HEAD} seems to be turned: what is level leans in its pictures; "
+                "I go by what is level, please calibrate it"
+            )
+            failure = Failure.postcondition(message, leans_rad=tilt_rad, usual_rad=most_rad)
+            tell_disagreement(self.toolbox, failure.because(Reason.CAMERA_ASKEW).at(self.where))
+
+    def _tell_hindrance(self) -> None:
+        """Say what makes most of the pictures tell less than usual; the look counts."""
+        told = Counter(view.frame.hindrance for view in self._views).most_common(1)
+        if told and (hindrance := told[0][0]) is not None:
+            message = f"the {HEAD} sees badly: {hindrance}"
+            self.toolbox.world.sees_badly = message
+            failure = Failure.postcondition(message).because(Reason.SEES_BADLY)
+            tell_disagreement(self.toolbox, failure.at(self.where))
 
     @property
     def deadline_s(self) -> float:

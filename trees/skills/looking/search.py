@@ -13,8 +13,8 @@ from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
-from trees.skills.looking.detect import Detect, Part, is_sure, lost, wants_survey
-from trees.skills.looking.look_at import LookAt
+from trees.skills.looking.detect import Detect, Part, is_sure, is_unsure, lost, wants_survey
+from trees.skills.looking.look_at import LookAt, LookAtTarget
 from trees.toolbox import Toolbox
 
 _HOME_RAD = 0.1
@@ -26,22 +26,30 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
 
     When several things fit, or the description compares them, or a part of what the only one stands on is out
     of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
-    picture counts as well. What those looks have lost is looked for ahead once more.
+    picture counts as well. What those looks have lost is looked for ahead once more. What is seen unsurely is
+    looked at closer, then by all gazes, and in the end a person is asked whether it is the one.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
     first, upright = replace(upright, lean_rad=policy.first_lean_rad), replace(upright, name="far ahead")
     looks = [_look(gaze, toolbox, "first") for gaze in (first, *others, upright, policy.last_gaze)]
+    looks.insert(1, _look_at_it("closer", toolbox, "closer"))
     looks += [_look(gaze, toolbox, "side") for gaze in survey[:-1]]
     looks.append(_look(survey[-1], toolbox, "last"))
     looks.append(_look(replace(first, name="ahead again"), toolbox, "again"))
+    looks.append(_look_at_it("before asking", toolbox, "asking"))
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
 
 @judgement
 def as_needed(look: Behaviour, failure: Failure | None) -> bool:
-    """The looks to both sides when they are asked for, one ahead when they lost it, the others when not."""
+    """The looks to both sides when they are asked for, one ahead when they lost it, the others when not.
+
+    One at the thing itself when that is seen unsurely.
+    """
     part = next(leaf.part for leaf in look.children if isinstance(leaf, Detect))
+    if part in ("closer", "asking"):
+        return failure is not None and is_unsure(failure)
     if part == "again":
         return failure is not None and lost(failure)
     return (part != "first") == (failure is not None and wants_survey(failure))
@@ -75,6 +83,12 @@ def _arms_at_home(toolbox: Toolbox) -> bool:
 def _look(gaze: Gaze, toolbox: Toolbox, part: Part) -> Behaviour:
     children: list[Behaviour] = [LookAt("look", toolbox, gaze), Detect("detect", toolbox, part=part)]
     return Sequence(f"look {gaze.name}", memory=True, children=children)
+
+
+def _look_at_it(name: str, toolbox: Toolbox, part: Part) -> Behaviour:
+    """A look at what may be the thing that is meant."""
+    children: list[Behaviour] = [LookAtTarget("look", toolbox), Detect("detect", toolbox, part=part)]
+    return Sequence(f"look {name}", memory=True, children=children)
 
 
 @judgement

@@ -21,6 +21,7 @@ SEEN = (
     Detection("furniture", "table", None, POSE, Box((0.6, 1.2, 0.04)), 0.95, "side table"),
     Detection("person", "person", None, POSE, Cylinder(0.25, 1.7), 0.7, "Ana"),
     Detection("object", "can", "blue", POSE, Cylinder(0.03, 0.1), 0.9, error=ERROR),
+    Detection("object", "bowl", None, POSE, Cylinder(0.03, 0.1), 0.3, picture=bytes(range(256))),
 )
 
 
@@ -30,9 +31,9 @@ def told(detection: Detection) -> dict[str, Any]:
 
 @pytest.mark.parametrize("detection", SEEN, ids=lambda one: one.kind)
 def test_everything_that_was_seen_arrives(detection: Detection) -> None:
-    frame = PerceptionFrame(1.25, 7, (detection,))
+    frame = PerceptionFrame(1.25, 7, (detection,), tilt_rad=0.01)
     arrived = read_frame(read_object(write_frame(frame)))
-    assert (arrived.stamp_s, arrived.sequence) == (1.25, 7)
+    assert (arrived.stamp_s, arrived.sequence, arrived.tilt_rad) == (1.25, 7, 0.01)
     before, after = told(detection), told(arrived.detections[0])
     np.testing.assert_array_equal(before.pop("camera_T_object"), after.pop("camera_T_object"))
     sent, came = before.pop("error"), after.pop("error")

@@ -1,5 +1,7 @@
 """Pictures of simple solids on a table, traced ray by ray: no simulator, no OpenGL, exact to rounding."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
@@ -7,6 +9,14 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.interface.depth_camera import CameraErrors, DepthCamera
 from robots.perception.rgbd.picture import Picture
+
+
+@dataclass(frozen=True)
+class Beaker(Cylinder):
+    """A cylinder that is open at the top."""
+
+    wall_m: float = 0.003
+
 
 TABLE_M = 0.8
 EDGE_M = (0.3, 1.1)
@@ -79,7 +89,22 @@ def _hit(shape, x, y, yaw, eye, rays, lift=0.0):
     low, high = -o[2] / d[..., 2], (shape.height_m - o[2]) / d[..., 2]
     enter = np.maximum(enter, np.minimum(low, high))
     leave = np.minimum(leave, np.maximum(low, high))
-    return enter, (root > 0.0) & (enter < leave)
+    hit = (root > 0.0) & (enter < leave)
+    if not isinstance(shape, Beaker):
+        return enter, hit
+    # what comes in through the opening goes on to the far side of the wall, or to the bottom
+    c = o[:2] @ o[:2] - (shape.radius_m - shape.wall_m) ** 2
+    inner = b * b - a * c
+    over = np.minimum(low, high)
+    opening = (inner > 0.0) & (over > (-b - np.sqrt(np.maximum(inner, 0.0))) / a)
+    beyond = np.minimum((-b + np.sqrt(np.maximum(inner, 0.0))) / a, np.maximum(low, high))
+    return np.where(opening & (over < beyond), beyond, enter), hit
+
+
+@pytest.fixture
+def beaker():
+    """Makes a cylinder that is open at the top, of a radius and a height."""
+    return Beaker
 
 
 @pytest.fixture

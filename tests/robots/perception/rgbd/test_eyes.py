@@ -1,9 +1,12 @@
+from dataclasses import replace
+
+import cv2
 import numpy as np
 import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from robots.perception.rgbd.eyes import Eyes
+from robots.perception.rgbd.eyes import Eyes, as_frame
 from robots.scenes.scene_description import Furniture
 
 RED, BLUE, GREEN = (217, 26, 20), (31, 77, 204), (38, 153, 51)
@@ -104,6 +107,84 @@ def test_what_stands_behind_something_lower_still_stands(take):
     assert behind.solid.place_m[2] == pytest.approx(TABLE_M + 0.07, abs=0.005)
 
 
+@pytest.mark.parametrize("radius_m", [0.020, 0.026, 0.034, 0.040])
+@pytest.mark.parametrize("place", [(0.45, 0.2), (0.6, 0.0), (0.75, -0.2)])
+def test_what_is_open_at_the_top_is_a_cup_however_narrow(take, beaker, radius_m, place):
+    low = poses.transform(_camera()[:3, :3], (0.1, 0.0, 1.25))
+
+    seen = Eyes().look(take([(beaker(radius_m, 0.11), *place, 0.0, RED)], place=low))
+
+    (thing,) = seen.things
+    assert (thing.solid.form, thing.call.kind, thing.call.alike) == ("beaker", "cup", ())
+
+
+def test_a_top_that_came_back_nowhere_may_be_open_or_not(take):
+    picture = take([(Cylinder(0.03, 0.11), 0.6, 0.0, 0.0, RED)])
+    camera_T_odom = poses.inverse(picture.odom_T_camera)
+    top = picture.pixels_of((camera_T_odom @ np.array([0.6, 0.0, TABLE_M + 0.11, 1.0]))[None, :3])[0]
+    u, v = np.round(top).astype(int)
+    picture.depth_m[v - 8 : v + 6, u - 9 : u + 10] = 0.0
+
+    seen = Eyes().look(picture)
+
+    (thing,) = seen.things
+    assert {thing.call.kind, *thing.call.alike} >= {"can", "cup"}
+
+
+@pytest.mark.parametrize("share", [0.6, 0.8])
+def test_what_the_edge_of_the_picture_cuts_is_as_wide_as_what_is_seen_of_it_is_bent(take, share):
+    shape = Cylinder(0.035, 0.12)
+    picture = take([(shape, 0.6, 0.0, 0.0, RED)])
+    columns = np.flatnonzero((picture.color == RED).all(axis=2).any(axis=0))
+    last = int(columns[0] + share * len(columns))
+    seen = Eyes().look(_without_columns_from(picture, last))
+
+    (thing,) = seen.things
+    assert thing.solid.form == "cylinder"
+    assert thing.solid.place_m[:2] == pytest.approx((0.6, 0.0), abs=0.008)
+    assert thing.solid.shape.radius_m == pytest.approx(0.035, abs=0.006)
+
+
+def test_what_the_upper_edge_of_the_picture_cuts_has_no_height_that_could_be_relied_on(take):
+    looking_down = take([(Cylinder(0.035, 0.12), 0.75, 0.0, 0.0, RED)])
+    rows = np.flatnonzero((looking_down.color == RED).all(axis=2).any(axis=1))
+    looking_down.depth_m[: (rows[0] + rows[-1]) // 2] = 0.0
+
+    (thing,) = Eyes().look(looking_down).things
+
+    assert "top" not in thing.solid.measured
+    assert thing.solid.sigma_m[-1] >= 0.1
+    assert {thing.call.kind, *thing.call.alike} >= {"can", "bottle", "cup"}
+
+
+@pytest.mark.parametrize("tilt_rad", [0.02, 0.035])
+def test_a_camera_that_was_knocked_is_corrected_by_what_is_level_and_tells_its_tilt(take, tilt_rad):
+    shape, at = Cylinder(0.035, 0.12), (0.75, 0.1)
+    told = _camera()
+    told[:3, :3] = poses.rotation_y(tilt_rad) @ told[:3, :3]
+
+    picture = take([(shape, *at, 0.0, RED)], place=_camera(), told=told)
+    seen = Eyes().look(picture)
+
+    (thing,) = seen.things
+    assert as_frame(seen, picture, 1).tilt_rad == pytest.approx(tilt_rad, abs=0.002)
+    assert thing.solid.place_m[:2] == pytest.approx(at, abs=0.003)
+
+
+def test_what_is_unsure_is_told_with_its_picture(take):
+    picture = take([(Cylinder(0.035, 0.12), 0.6, 0.0, 0.0, RED)])
+    seen = Eyes().look(picture)
+    unsure = replace(seen, things=tuple(replace(thing, confidence=0.3) for thing in seen.things))
+
+    (sure,) = [one for one in as_frame(seen, picture, 1).detections if one.category == "object"]
+    (doubted,) = [one for one in as_frame(unsure, picture, 1).detections if one.category == "object"]
+
+    assert sure.picture is None
+    assert doubted.picture is not None
+    shown = cv2.imdecode(np.frombuffer(doubted.picture, np.uint8), cv2.IMREAD_COLOR)
+    assert (shown == np.array(RED[::-1])).all(axis=2).any()
+
+
 def test_an_empty_table_shows_a_table_and_nothing_on_it(take):
     seen = Eyes().look(take([]))
 
@@ -151,6 +232,12 @@ def extents(shape):
     if isinstance(shape, Box):
         return (*sorted(shape.size_m[:2]), shape.size_m[2])
     return (2 * shape.radius_m, 2 * shape.radius_m, shape.height_m)
+
+
+def _without_columns_from(picture, last):
+    """The same picture, with nothing beyond a column: as if it ended there."""
+    picture.depth_m[:, last:] = 0.0
+    return picture
 
 
 def _camera():

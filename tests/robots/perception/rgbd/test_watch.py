@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 
 from robots.perception.rgbd.watch import PictureWatch
@@ -28,6 +30,33 @@ def test_pictures_that_differ_in_noise_alone_are_not_frozen(take):
 
 def test_a_dark_picture_is_told(take):
     assert PictureWatch().judge(take([], tint=(0.05, 0.05, 0.05))) == "dark"
+
+
+def test_a_good_picture_hinders_nobody(take):
+    assert PictureWatch.hindrance(take([])) is None
+
+
+def test_a_picture_that_is_nearly_dark_says_so_through_its_noise(take):
+    picture, rng = take([], tint=(0.25, 0.25, 0.25)), np.random.default_rng(0)
+    noise = rng.normal(0.0, 20.0, picture.color.shape)
+    noisy = replace(picture, color=np.clip(picture.color + noise, 0, 255).astype(np.uint8))
+
+    assert PictureWatch().judge(noisy) is None
+    assert "dark" in PictureWatch.hindrance(noisy)
+
+
+def test_a_lamp_in_a_part_of_the_picture_is_told(take):
+    picture = take([])
+    picture.color[:60] = 255
+
+    assert "outshone" in PictureWatch.hindrance(picture)
+
+
+def test_a_stain_on_the_lens_is_told(take):
+    picture = take([])
+    picture.depth_m[80:200, 60:260] = 0.0
+
+    assert "dirty" in PictureWatch.hindrance(picture)
 
 
 def test_an_outshone_picture_is_told(take):

@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
+import pytest
 
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Cylinder
+from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.recognition import nearest_sighting
@@ -42,3 +45,27 @@ def test_a_twin_that_is_known_to_stand_elsewhere_is_not_it():
     scene = PlanningScene().with_object(twin)
 
     assert find(sighting(0.5, 0.3, 0.95), scene=scene) is None
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("shape", [CUP, Box((0.05, 0.06, 0.11))])
+def test_what_hangs_with_its_foot_behind_something_is_where_its_top_is(shape):
+    """It seems to stand on the table, and to reach down there."""
+    target = replace(TARGET, shape=shape)
+    down_to_the_table = Box((0.05, 0.06, 0.24)) if isinstance(shape, Box) else Cylinder(0.03, 0.24)
+    seen = replace(sighting(0.5, 0.0, 0.895 + 0.12), shape=down_to_the_table)
+    in_the_hand = np.array([0.5, 0.0, 1.08])
+
+    found, away_m = nearest_sighting(target, in_the_hand, [seen], PlanningScene(), 0.05)
+
+    assert found.odom_T_object[2, 3] == pytest.approx(0.895 + 0.24 - 0.055)
+    assert found.shape.height_m == pytest.approx(0.11)
+    assert away_m == pytest.approx(0.0, abs=1e-9)
+
+
+def test_what_is_about_as_high_as_it_was_is_where_it_is_seen():
+    seen = replace(sighting(0.5, 0.0, 0.96), shape=Cylinder(0.03, 0.12))
+
+    found, _ = find(seen)
+
+    assert found is seen

@@ -212,3 +212,29 @@ def test_what_is_known_is_not_replaced_by_something_else_that_is_told_unsurely()
     scene = look(before, half, unseen=lambda item: True).scene
 
     assert set(scene.objects) == {"red cup"}
+
+
+def test_an_unsure_sighting_of_something_else_says_that_what_is_known_is_still_there():
+    before = look(PlanningScene(), seen("cup")).scene
+    half = replace(seen("can", at=(0.51, 0.01, 0.93), shape=Cylinder(0.03, 0.08)), confidence=0.4)
+
+    scene = look(before, half, unseen=lambda item: False).scene
+
+    assert set(scene.objects) == {"red cup"}
+
+
+def test_what_was_surely_seen_keeps_its_size_when_a_part_of_it_is_seen_again():
+    before = look(PlanningScene(), seen("cup")).scene
+    part = replace(seen("cup", at=(0.51, 0.01, 0.93), shape=Cylinder(0.02, 0.06)), confidence=0.4)
+
+    update = updated_scene(before, [part], POLICY, lambda _: False, sure=["red cup"])
+
+    assert update.scene.objects["red cup"].shape == Cylinder(0.03, 0.11)
+    assert not update.seen
+
+
+def test_what_was_seen_unsurely_is_told_anew_by_an_unsure_look():
+    before = look(PlanningScene(), seen("cup")).scene
+    part = replace(seen("cup", at=(0.51, 0.01, 0.93), shape=Cylinder(0.02, 0.06)), confidence=0.4)
+
+    assert look(before, part).scene.objects["red cup"].shape == Cylinder(0.02, 0.06)

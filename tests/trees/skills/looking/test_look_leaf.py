@@ -12,8 +12,10 @@ from trees.failures import FailureKind, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
+from trees.skills.looking.detect import Detect
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, estimates_of
+from trees.tasks import ObjectDescription, PickTask
 
 
 class Look(LookLeaf, register=False):
@@ -99,6 +101,28 @@ def test_pictures_that_are_too_old_are_refused_by_name(stage, monkeypatch):
 
     assert stage.run(leaf) is Status.FAILURE
     assert leaf.failure.reason is Reason.FRAMES_STALE
+
+
+@pytest.mark.requirement("F3")
+@pytest.mark.parametrize(("tilt_rad", "told"), [(0.006, []), (0.033, [Reason.CAMERA_ASKEW])])
+def test_a_camera_in_whose_pictures_what_is_level_leans_is_named_and_the_look_counts(stage, tilt_rad, told):
+    stage.fake.detector.tilt_rad = tilt_rad
+
+    assert stage.run(Look("look", stage.toolbox)) is Status.SUCCESS
+    assert [event.failure.reason for event in stage.events if isinstance(event, NotSo)] == told
+    assert all("camera" in event.text for event in stage.events if isinstance(event, Said))
+
+
+@pytest.mark.requirement("F3")
+def test_what_hinders_the_camera_is_told_and_named_where_nothing_is_found(stage, monkeypatch):
+    detector = stage.fake.detector
+    fresh = detector.latest
+    monkeypatch.setattr(detector, "latest", lambda: fresh() and replace(fresh(), hindrance="it is dark"))
+    leaf = Detect("detect", stage.toolbox)
+
+    assert stage.run(leaf, task=PickTask("a", ObjectDescription("ball", "blue"))) is Status.FAILURE
+    assert leaf.failure.message == "no blue ball seen; the head camera sees badly: it is dark"
+    assert Reason.SEES_BADLY in [event.failure.reason for event in stage.events if isinstance(event, NotSo)]
 
 
 class Ceiling:

@@ -1,8 +1,14 @@
 """When a question is put: not before arms that may hide what has gone are out of the way."""
 
+import base64
+
 import pytest
 
+from kinematics.requests.pick import PickRequest
 from robots.fake.fake_world import cup, table
+from robots.fake.scripted_detector import PICTURE
+from trees.beliefs.grounding.grounding import exactly
+from trees.events import ThingPictured
 from trees.failures import Failure, OpenChoice
 from trees.skills.looking.search import looking_from_home_is_useless
 from trees.tasks import ObjectDescription, PickTask
@@ -35,3 +41,37 @@ def test_what_another_task_has_seen_counts_as_unseen(stage_with):
     tree.tick()
 
     assert world.sightings == {}
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("twins", "look"), [(False, "look closer"), (True, "look before asking")])
+def test_what_is_seen_unsurely_is_looked_at_closer_and_then_gone_for(stage_with, twins, look):
+    stage = stage_with(table(), cup(), looks_for_twins=twins)
+    stage.fake.detector.confidence["red cup"] = 0.3
+    stage.when(look, stage.fake.detector.confidence.clear)
+
+    tree = stage.play(stage.pick())
+
+    assert tree.status == "success"
+
+
+@pytest.mark.requirement("P2")
+def test_whether_it_is_the_thing_is_asked_when_no_look_has_told(stage):
+    stage.fake.detector.confidence["red cup"] = 0.3
+
+    tree = stage.play(stage.pick())
+
+    assert tree.failure.root.message == "is this the red cup?"
+    assert tree.failure.choice_names == ("red cup",)
+    (pictured,) = [event for event in stage.events if isinstance(event, ThingPictured)]
+    assert (pictured.what, base64.b64decode(pictured.png_base64)) == ("red cup", PICTURE)
+    assert not any(isinstance(request, PickRequest) for request in stage.fake.planning.requests)
+
+
+@pytest.mark.requirement("P2")
+def test_what_a_person_has_said_it_is_is_gone_for_however_unsurely_it_is_seen(stage):
+    stage.fake.detector.confidence["red cup"] = 0.3
+
+    tree = stage.play(stage.pick(PickTask("pick it up", exactly("red cup"))))
+
+    assert tree.status == "success"
