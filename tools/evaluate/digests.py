@@ -1,7 +1,7 @@
 """Recorded runs as a referee of changes that should change nothing: ``python -m tools.evaluate digests``.
 
 A run in lockstep gives the same events on the same machine and versions, byte for byte. ``--record FILE``
-keeps what sixty runs gave, over every scene and skill; ``--check FILE`` runs them again and tells which
+keeps what some sixty runs gave, over every scene and skill; ``--check FILE`` runs them again and tells which
 differ.
 """
 
@@ -100,6 +100,7 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
             "put the cup on the shelf",
             "find the red cup",
         ),
+        "watched": ("pick up the red cup", "how many things are on the table?"),
     }
 )
 

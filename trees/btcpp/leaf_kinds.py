@@ -12,6 +12,7 @@ from typing import Any
 from py_trees.behaviour import Behaviour
 from py_trees.ports import PortInformation
 
+import trees.given_motion
 import trees.leaves
 import trees.skills
 from trees.btcpp.literals import to_text, type_name

@@ -15,6 +15,7 @@ import numpy as np
 import trimesh
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 
@@ -26,7 +27,7 @@ _MANY, _CELL_M = 800, 0.008
 
 
 @dataclass(frozen=True, slots=True)
-class LinkMesh:
+class LinkMesh(Sealed):
     """One solid of a link.
 
     Attributes:

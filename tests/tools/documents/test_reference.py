@@ -30,7 +30,7 @@ def test_every_event_has_its_fields():
     text = PAGES["reference/events.md"]()
 
     assert "### SetpointRefused" in text
-    assert "| `value` | str | The answer's words, the reason of a cancel;" in text
+    assert "| `value` | str | The answer's words, the reason of a cancel, what a person" in text
 
 
 def test_every_number_of_the_policy_has_a_meaning():

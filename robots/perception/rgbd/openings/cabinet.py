@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
@@ -99,7 +99,7 @@ def local_in(points: Array, pose: Transform) -> Array:
 
 
 @dataclass(frozen=True, slots=True)
-class Nearest:
+class Nearest(InFloat64):
     """For some points the nearest face of some boxes that looks where they do.
 
     Attributes:

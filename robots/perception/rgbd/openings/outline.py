@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.openings.cabinet import OPENING, Cabinet, local_in
 from robots.perception.rgbd.openings.view import View
 
@@ -15,7 +15,7 @@ _BESIDE_EDGE_M = 0.015
 
 
 @dataclass(frozen=True, slots=True)
-class NearestEdge:
+class NearestEdge(InFloat64):
     """For some points of an outline the nearest edge of a box.
 
     Attributes:
