@@ -1,10 +1,11 @@
 """The newest picture of a robot's camera, in a file, for programs that show it.
 
-A picture takes the place of the one before in one step, so that a reader has a whole one, however slowly it
-reads. Layout: one line of JSON with ``frame``, ``focal_px``, ``width_px``, ``height_px`` and ``stamp_s``; then
-red, green and blue of each pixel, 8 bits each, row by row; then the depths, millimetres in 16 bits, low byte
-first, 0 where nothing came back; then the end that every whole file has. Nothing is written that nobody
-wants: who wants pictures holds a shared lock on a file beside, which ends with its process, however that ends.
+A picture takes the place of the one before in one step, so that a reader has a whole one, however slowly
+it reads. Layout: one line of JSON with ``frame``, ``focal_px``, ``width_px``, ``height_px`` and ``stamp_s``;
+then red, green and blue of each pixel, 8 bits each, row by row; then the depths, millimetres in 16 bits, low
+byte first, 0 where nothing came back; then the end that every whole file has. Nothing is written that nobody
+wants: who wants pictures holds a shared lock on a file beside, which ends with its process, however that
+ends.
 """
 
 from __future__ import annotations
