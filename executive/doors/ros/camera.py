@@ -19,7 +19,8 @@ from robots.clock import WallClock
 from robots.perception.rgbd.picture_slot import PictureSlotReader, ShownPicture
 
 _POLL_S = 1.0 / 15.0
-"""Wall time from one look into the slot to the next."""
+_APART_S = 0.5 * _POLL_S
+"""Wall time between colours and depths: a listener's socket does not hold both at once."""
 _MOST_KEPT = 1000
 _BEYOND_S = 0.05
 
@@ -67,6 +68,7 @@ class CameraTopics:
     def __init__(self, node: RosNode, slot: Path, stamps: StateStamps) -> None:
         self._slot, self._stamps = PictureSlotReader(slot), stamps
         lossy = best_effort(5)
+        self._depths_left: Image | None = None
         self._color = node.writer("/camera/color/image_raw", Image, lossy)
         self._depth = node.writer("/camera/depth/image_raw", Image, lossy)
         self._infos = [
@@ -77,10 +79,17 @@ class CameraTopics:
         """Publish pictures as they come, without end."""
         while True:
             self.poll()
-            wall.sleep(_POLL_S)
+            wall.sleep(_APART_S)
 
     def poll(self) -> None:
-        """Publish a new picture, if there is one; and say whether any are wanted: while somebody listens."""
+        """Publish the colours of a new picture, if there is one, and with the next call its depths.
+
+        Pictures are wanted while somebody listens.
+        """
+        if self._depths_left is not None:
+            self._depth.write(self._depths_left)
+            self._depths_left = None
+            return
         wanted = any(map(_is_heard, (self._color, self._depth, *self._infos)))
         with contextlib.suppress(OSError):  # asked again with the next poll
             self._slot.want(wanted)
@@ -93,7 +102,7 @@ class CameraTopics:
         if _is_heard(self._color):
             self._color.write(color_image(shown, stamp))
         if _is_heard(self._depth):
-            self._depth.write(depth_image(shown, stamp))
+            self._depths_left = depth_image(shown, stamp)
 
 
 def color_image(shown: ShownPicture, stamp: Time) -> Image:
