@@ -239,9 +239,10 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
 
     commands = Commands(node, robot, VelocityFlow(folder, tell), tell)
     publications = Publications(node, model)
+    camera = None
     if told.get("perception") == "rgbd":
         camera = CameraTopics(node, where.picture_slot, publications.stamps)
-        threading.Thread(target=camera.run, args=(wall,), name="ros pictures", daemon=True).start()
+        camera.begin(wall)
     asks = threading.Thread(target=_ask, args=(robot, publications, wall), name="ros status", daemon=True)
     asks.start()
     threading.Thread(target=_listen, args=(folder, tell, wall), name="ros listener", daemon=True).start()
@@ -254,6 +255,8 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
             wall.sleep(_POLL_S)
     finally:
         commands.close()
+        if camera is not None:
+            camera.close()
 
 
 def _served(robot: ServedRobot, wall: WallClock, ended: Callable[[], bool]) -> Mapping[str, Any]:

@@ -68,6 +68,8 @@ class CameraTopics:
     def __init__(self, node: RosNode, slot: Path, stamps: StateStamps) -> None:
         self._slot, self._stamps = PictureSlotReader(slot), stamps
         lossy = best_effort(5)
+        self._ended = threading.Event()
+        self._thread: threading.Thread | None = None
         self._depths_left: Image | None = None
         self._color = node.writer("/camera/color/image_raw", Image, lossy)
         self._depth = node.writer("/camera/depth/image_raw", Image, lossy)
@@ -75,11 +77,17 @@ class CameraTopics:
             node.writer(f"/camera/{which}/camera_info", CameraInfo, lossy) for which in ("color", "depth")
         ]
 
-    def run(self, wall: WallClock) -> None:
-        """Publish pictures as they come, without end."""
-        while True:
-            self.poll()
-            wall.sleep(_APART_S)
+    def begin(self, wall: WallClock) -> None:
+        """Publish pictures as they come, in a thread of its own."""
+        self._thread = threading.Thread(target=self._run, args=(wall,), name="ros pictures", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Publish nothing any more, and want nothing."""
+        self._ended.set()
+        if self._thread is not None:
+            self._thread.join()
+        self._slot.want(False)
 
     def poll(self) -> None:
         """Publish the colours of a new picture, if there is one, and with the next call its depths.
@@ -103,6 +111,11 @@ class CameraTopics:
             self._color.write(color_image(shown, stamp))
         if _is_heard(self._depth):
             self._depths_left = depth_image(shown, stamp)
+
+    def _run(self, wall: WallClock) -> None:
+        while not self._ended.is_set():
+            self.poll()
+            wall.sleep(_APART_S)
 
 
 def color_image(shown: ShownPicture, stamp: Time) -> Image:

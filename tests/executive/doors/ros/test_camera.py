@@ -108,3 +108,26 @@ def test_pictures_are_wanted_while_a_topic_is_heard_and_come_with_their_lens(tmp
     image, info = came[0][0], came[1][0]
     assert image.header == info.header
     assert bytes(image.data[:2]) == (1000).to_bytes(2, "little")
+
+
+def test_topics_that_are_closed_want_nothing_any_more(tmp_path):
+    slot, wall = tmp_path / "picture", WallClock()
+    node, writer = RosNode(RosSettings(DOMAIN)), PictureSlotWriter(slot)
+    topics = CameraTopics(node, slot, StateStamps())
+    reader = node.reader("/camera/color/camera_info", CameraInfo, best_effort(1))
+    picture = Picture(
+        CAMERA, np.zeros((12, 16, 3), np.uint8), np.ones((12, 16), np.float32), None, np.eye(4), 0.0
+    )
+    topics.begin(wall)
+    until_s = wall.now_s() + 30.0
+    while not slot.exists():
+        assert wall.now_s() < until_s
+        writer.show(picture)
+        wall.sleep(0.02)
+
+    topics.close()
+    slot.unlink()
+    writer.show(picture)
+
+    assert not slot.exists()
+    assert not taken(reader)
