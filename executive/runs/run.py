@@ -178,9 +178,7 @@ def _write_reports(request: RunRequest, report: Report, results: Sequence[Said])
 def _preflight(request: RunRequest) -> SceneDescription:
     """Find what is wrong with the request before anything is built."""
     robot = load_robot_for_tasks(request.robot)
-    scene = load_scene(request.scene)
-    if request.perception is not None:
-        scene = replace(scene, perception=replace(scene.perception, kind=request.perception))
+    scene = load_scene(request.scene).seen_by(request.perception)
     if scene.perception.kind == "rgbd":
         from robots.simulated.camera.camera_perception import require_camera
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from kinematics.arrays import Sealed
@@ -226,6 +226,12 @@ class SceneDescription:
     places: tuple[Region, ...] = ()
     light: Light = field(default_factory=Light)
     cameras: tuple[FixedCamera, ...] = ()
+
+    def seen_by(self, kind: str | None) -> SceneDescription:
+        """The same scene with another perception, "stub" or "rgbd"; None leaves it as the scene says."""
+        if kind is None:
+            return self
+        return replace(self, perception=replace(self.perception, kind=kind))
 
 
 def told_names(name: str, kind: str, names: Iterable[str]) -> tuple[str, ...]:

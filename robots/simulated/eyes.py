@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Protocol
 
 import numpy as np
@@ -70,6 +71,7 @@ def simulated_perception(
     *,
     waits: bool = True,
     labelling: Labelling = BY_SHAPE,
+    slot: Path | None = None,
 ) -> SimulatedPerception:
     """The perception that a scene asks for.
 
@@ -83,6 +85,7 @@ def simulated_perception(
         model: The robot's.
         waits: Whether a picture is waited for, as lockstep needs it; live it comes when it is done.
         labelling: Who is asked, of pictures, what things are called.
+        slot: Where the newest picture of the robot's own camera is shown to who wants it; None for nowhere.
 
     Raises:
         DescriptionError: The robot has no camera for pictures.
@@ -100,7 +103,7 @@ def simulated_perception(
         return Believed(model.frame_pose(state.q, frame), state.readings.q)
 
     return CameraPerception(
-        world.physics, robot, scene, clock, rng, believed, waits=waits, labelling=labelling
+        world.physics, robot, scene, clock, rng, believed, waits=waits, labelling=labelling, slot=slot
     )
 
 

@@ -18,18 +18,34 @@ READY_WITHIN_S = 240.0
 DOMAIN = 41
 
 
+SEEING_DOMAIN = 42
+
+
 @pytest.fixture(scope="session")
 def served(tmp_path_factory):
     """The folder of a robot in the flat, with the ROS door open on a domain of its own."""
-    folder = tmp_path_factory.mktemp("live")
-    command = [sys.executable, "-m", "executive", "serve", "--scene", "flat", "--folder", str(folder)]
+    with _served(tmp_path_factory.mktemp("live"), DOMAIN, "--scene", "flat") as folder:
+        yield folder
+
+
+@pytest.fixture(scope="session")
+def seeing(tmp_path_factory):
+    """The same at a table, for a robot that sees with its camera; and the domain on which it is."""
+    options = ("--scene", "tabletop", "--perception", "rgbd")
+    with _served(tmp_path_factory.mktemp("seeing"), SEEING_DOMAIN, *options) as folder:
+        yield folder, SEEING_DOMAIN
+
+
+@contextlib.contextmanager
+def _served(folder, domain, *options):
+    command = [sys.executable, "-m", "executive", "serve", *options, "--folder", str(folder)]
     command += [
         "--ordinary",
         "--pace",
         "0.5",
         "--ros",
         "--ros-domain",
-        str(DOMAIN),
+        str(domain),
         "--record",
         str(folder / "runs"),
     ]
@@ -67,10 +83,10 @@ def peer(rclpy):
     """Runs a program of ``programs`` by rclpy, and answers its process; none outlives the test."""
     running = contextlib.ExitStack()
 
-    def run(name, *arguments):
+    def run(name, *arguments, domain=DOMAIN):
         surroundings = {
             **os.environ,
-            "ROS_DOMAIN_ID": str(DOMAIN),
+            "ROS_DOMAIN_ID": str(domain),
             "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         }
         surroundings.pop("PYTHONPATH", None)

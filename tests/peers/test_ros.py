@@ -14,7 +14,7 @@ from executive.doors.served_robot import ServedRobot
 from executive.live.caller.caller import ask_at
 from robots.live.wire.messages import Reset, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
-from robots.models.description import load_description
+from robots.models.description import load_description, load_robot
 
 pytestmark = [pytest.mark.requirement("U3"), pytest.mark.timeout(400)]
 NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
@@ -52,6 +52,32 @@ def test_the_bridge_is_a_node_of_the_graph_with_typed_topics(served, peer):
     assert seen["types"]["/tf"] == ["tf2_msgs/msg/TFMessage"]
     assert seen["types"]["/detections"] == ["vision_msgs/msg/Detection3DArray"]
     assert seen["types"]["/cmd_vel"] == ["geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"]
+
+
+@pytest.mark.opengl
+def test_the_pictures_of_the_camera_arrive_with_its_lens(seeing, peer):
+    folder, domain = seeing
+    camera = load_robot("talos").hardware.cameras[0]
+    wide, high, focal = camera.width_px, camera.height_px, camera.focal_px
+    watching = peer("see.py", 200.0, domain=domain)
+    robot, until_s = ServedRobot(folder), time.monotonic() + 200.0
+    while watching.poll() is None and time.monotonic() < until_s:  # nothing is drawn for nobody
+        run = robot.begin("what do you see on the table?")
+        while not run.ended and watching.poll() is None:
+            time.sleep(0.2)
+    robot.cancel("the pictures have come")
+    seen = told(watching)
+
+    for which, encoding, deep in (("color", "rgb8", 3), ("depth", "16UC1", 2)):
+        one = seen[which]
+        assert (one["size"], one["encoding"], one["frame"]) == ([wide, high], encoding, camera.frame)
+        assert (one["step"], one["bytes"]) == (deep * wide, deep * wide * high)
+        assert one["values"] > 50
+        assert (one["info_size"], one["info_frame"]) == ([wide, high], camera.frame)
+        assert (one["model"], one["distortion"]) == ("plumb_bob", [0.0] * 5)
+        assert one["k"] == [focal, 0.0, (wide - 1) / 2, 0.0, focal, (high - 1) / 2, 0.0, 0.0, 1.0]
+        assert seen["types"][f"/camera/{which}/image_raw"] == ["sensor_msgs/msg/Image"]
+    assert seen["is_described"]
 
 
 def test_a_sentence_is_carried_out_and_its_end_told(served, peer, at_rest):

@@ -123,6 +123,11 @@ class PerceptionChoice(StrEnum):
     RGBD = "rgbd"
 
 
+PerceptionOption = Annotated[
+    PerceptionChoice | None,
+    typer.Option("--perception", help="How the robot sees.", show_default="what the scene says"),
+]
+
 OnQuestionOption = Annotated[
     OnQuestionChoice, typer.Option("--on-question", help="What becomes of a question.")
 ]

@@ -19,7 +19,7 @@ from executive.cli.commands.choices import (
     OnQuestionChoice,
     OnQuestionOption,
     PaceChoice,
-    PerceptionChoice,
+    PerceptionOption,
     PolicyChoice,
     PolicyOption,
     RosDomainOption,
@@ -54,10 +54,7 @@ def run(
         str | None,
         typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
     ] = None,
-    perception: Annotated[
-        PerceptionChoice | None,
-        typer.Option(help="How the robot sees.", show_default="what the scene says"),
-    ] = None,
+    perception: PerceptionOption = None,
     seed: Annotated[
         int | None,
         typer.Option(
@@ -114,7 +111,6 @@ def run(
             snapshot=snapshot,
             video=video,
             junit=junit,
-            perception=perception,
             on_question=asked,
         )
         served = {
@@ -122,6 +118,7 @@ def run(
             "scene": scene or script.scene,
             "seed": script.seed if seed is None else seed,
             "record": record,
+            "perception": None if perception is None else perception.value,
             "pace": (pace or PaceChoice.REAL).value,
             "confidence": confidence,
             "policy": policy.value,

@@ -17,6 +17,7 @@ from executive.cli.commands.choices import (
     ConfigOption,
     FolderOption,
     ModelOption,
+    PerceptionOption,
     PolicyChoice,
     PolicyOption,
     RosDomainOption,
@@ -46,6 +47,7 @@ def serve(
     scene: Annotated[
         str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
     ] = DEFAULT_SCENE,
+    perception: PerceptionOption = None,
     seed: Annotated[
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
     ] = 0,
@@ -102,8 +104,12 @@ def serve(
             typer.echo(line, err=True)
 
     leave_opengl_to_the_renderer()
-    load_robot_for_tasks(robot)
-    load_scene(scene)
+    machine = load_robot_for_tasks(robot)
+    seen_by = None if perception is None else perception.value
+    if load_scene(scene).seen_by(seen_by).perception.kind == "rgbd":
+        from robots.simulated.camera.camera_perception import require_camera
+
+        require_camera(machine)
     if scene not in known_scenes():
         scene = str(Path(scene).absolute())  # who sends a script may be in another folder
     parser_with(config_files())  # a file of settings with a mistake is said here, not by the executive
@@ -123,6 +129,7 @@ def serve(
         trust=Trust(confidence, policy.value),
         model=model or "",
         reads_back=not yes,
+        perception=seen_by,
     )
     note_folder(request.record)
     with contextlib.ExitStack() as beside:

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from executive.doors.ros.camera import CameraTopics, StateStamps
 from executive.doors.ros.graph import RosNode, best_effort, reliable, taken
 from executive.doors.ros.messages import (
     Bool,
@@ -168,6 +169,9 @@ class Publications:
     Args:
         node: Where the topics are.
         model: The robot.
+
+    Attributes:
+        stamps: Of the states that were published.
     """
 
     def __init__(self, node: RosNode, model: RobotModel) -> None:
@@ -187,10 +191,12 @@ class Publications:
         self._diagnostics = node.writer("/diagnostics", DiagnosticArray, reliable())
         self._detections = node.writer("/detections", Detection3DArray, reliable())
         self._frames_at_s = 0.0
+        self.stamps = StateStamps()
 
     def state(self, report: RobotReport) -> None:
         """Publish a new state."""
         stamp, messages = _now(), self._messages
+        self.stamps.note(report.t_s, stamp)
         self._joints.write(messages.joints(report, stamp))
         self._odometry.write(messages.odometry(report, stamp))
         if (imu := messages.imu(report, stamp)) is not None:
@@ -222,8 +228,9 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
         LiveError: No robot is served there.
     """
     robot, wall = ServedRobot(folder), WallClock()
-    model = RobotModel(load_description(_served(robot, wall, ended)))
-    layout, slot = ReportLayout(model), StateSlotReader(RuntimeFolder(folder).state_slot)
+    told, where = _served(robot, wall, ended), RuntimeFolder(folder)
+    model = RobotModel(load_description(str(told["robot"])))
+    layout, slot = ReportLayout(model), StateSlotReader(where.state_slot)
     node = RosNode(settings)
     status = node.writer("/ai/status", String, reliable(100))
 
@@ -232,6 +239,10 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
 
     commands = Commands(node, robot, VelocityFlow(folder, tell), tell)
     publications = Publications(node, model)
+    camera = None
+    if told.get("perception") == "rgbd":
+        camera = CameraTopics(node, where.picture_slot, publications.stamps)
+        camera.begin(wall)
     asks = threading.Thread(target=_ask, args=(robot, publications, wall), name="ros status", daemon=True)
     asks.start()
     threading.Thread(target=_listen, args=(folder, tell, wall), name="ros listener", daemon=True).start()
@@ -244,13 +255,15 @@ def bridge(folder: Path, settings: RosSettings, ended: Callable[[], bool]) -> No
             wall.sleep(_POLL_S)
     finally:
         commands.close()
+        if camera is not None:
+            camera.close()
 
 
-def _served(robot: ServedRobot, wall: WallClock, ended: Callable[[], bool]) -> str:
-    """The name of the robot, once its executive is there: it begins after the control."""
+def _served(robot: ServedRobot, wall: WallClock, ended: Callable[[], bool]) -> Mapping[str, Any]:
+    """What the robot tells of itself, once its executive is there: it begins after the control."""
     while True:
         try:
-            return str(robot.status()["robot"])
+            return robot.status()
         except LiveError:
             if ended() or wall.now_s() > _READY_WITHIN_S:
                 raise

@@ -75,7 +75,8 @@ class ServiceRequest:
     """What to serve; as the control process's options.
 
     ``fault`` is one of the connection's, for evaluations: it strikes at a signal; ``trust`` is for models'
-    output, ``model`` the name of the one in front, ``reads_back`` whether all that it proposes is read back.
+    output, ``model`` the name of the one in front, ``reads_back`` whether all that it proposes is read back;
+    ``perception`` is "stub" or "rgbd", or None for what the scene says.
     """
 
     folder: Path
@@ -90,6 +91,7 @@ class ServiceRequest:
     trust: Trust = USUAL_TRUST
     model: str = ""
     reads_back: bool = True
+    perception: str | None = None
 
 
 class Service:
@@ -257,5 +259,6 @@ def _control_command(request: ServiceRequest) -> list[str]:
     command += ["--robot", request.robot, "--scene", request.scene, "--seed", str(request.seed)]
     command += ["--pace", str(request.pace), "--supervisor", str(os.getpid())]
     command += ["--shown", os.fspath(shown_directory())]
+    command += [] if request.perception is None else ["--perception", request.perception]
     command += [] if request.realtime else ["--ordinary"]
     return command + (["--evaluation"] if request.evaluation else [])

@@ -69,6 +69,7 @@ class ControlOptions:
         evaluation: Whether evaluations may read the simulator's truth.
         supervisor: Process that started this one and replaces executives that end; None when none does.
         shown: Folder of things that were shown; None for none.
+        perception: "stub" or "rgbd", whatever the scene says; None is what it says.
     """
 
     folder: Path
@@ -80,6 +81,7 @@ class ControlOptions:
     evaluation: bool = False
     supervisor: int | None = None
     shown: Path | None = None
+    perception: str | None = None
 
 
 class ControlProcess:
@@ -96,7 +98,7 @@ class ControlProcess:
         self._lock = folder.hold()
         robot = load_robot_for_tasks(options.robot)
         description = robot.description
-        scene = load_scene(options.scene)
+        scene = load_scene(options.scene).seen_by(options.perception)
         self._checker = ChildProcess("robots.live.process.admission_process", [options.robot])
         chance = Seeded.by(options.seed)
         model = RobotModel(description)
@@ -114,6 +116,7 @@ class ControlProcess:
             model,
             waits=False,
             labelling=Labelling(options.shown, packages=True, words=scene.perception.labels),
+            slot=folder.picture_slot,
         )
         self._pacer = Pacer(WallClock(), PERIOD_S, options.pace)
         self._layout = ReportLayout(model)
@@ -130,6 +133,7 @@ class ControlProcess:
         about = {
             "robot": options.robot,
             "scene": options.scene,
+            "perception": scene.perception.kind,
             "labels": None if self._perception.labels is None else sorted(self._perception.labels),
             "seed": options.seed,
             "period_s": PERIOD_S,
@@ -285,6 +289,7 @@ def main() -> int:
     parser.add_argument("--evaluation", action="store_true")
     parser.add_argument("--supervisor", type=int, help="process that replaces executives that end")
     parser.add_argument("--shown", type=Path, help="folder of things that were shown")
+    parser.add_argument("--perception", help="stub or rgbd, whatever the scene says")
     asked = parser.parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
@@ -299,6 +304,7 @@ def main() -> int:
                 asked.evaluation,
                 asked.supervisor,
                 asked.shown,
+                asked.perception,
             )
         )
     except (RobotsError, KinematicsError, OSError) as wrong:

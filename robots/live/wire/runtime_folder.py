@@ -41,6 +41,11 @@ class RuntimeFolder:
         return self.path / "state"
 
     @property
+    def picture_slot(self) -> Path:
+        """The newest picture of the robot's camera; only there while somebody wants it."""
+        return self.path / "picture"
+
+    @property
     def lock(self) -> Path:
         """Held by the control process while it lives."""
         return self.path / "lock"

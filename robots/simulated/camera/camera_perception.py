@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Callable
 from functools import partial
 from multiprocessing.connection import Connection, Pipe
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -62,6 +63,7 @@ class CameraPerception:
         *,
         waits: bool = True,
         labelling: Labelling = BY_SHAPE,
+        slot: Path | None = None,
     ) -> None:
         self._waits = waits
         self.silences: tuple[str, ...] = ()
@@ -72,6 +74,7 @@ class CameraPerception:
             furniture_map(scene, map_rng),
             int(seed_rng.integers(2**31)),
             labelling,
+            slot,
         )
         self._own = CameraFeed(0, picture_camera(robot), physics, scene.light, clock, believed, waits=waits)
         self.cameras = tuple(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from kinematics.arrays import Array, Sealed
 from kinematics.geometry.poses import Transform
@@ -59,6 +60,7 @@ class Setup:
         known: The map of the furniture, in the odometry frame.
         seed: Of the camera's errors.
         labelling: Who is asked what things are called.
+        slot: Where the newest picture of the robot's own camera is shown to who wants it; None for nowhere.
     """
 
     robot: str
@@ -66,6 +68,7 @@ class Setup:
     known: tuple[Furniture, ...]
     seed: int
     labelling: Labelling = BY_SHAPE
+    slot: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ from robots.perception.detector import PerceptionFrame
 from robots.perception.labels.naming import Labellers
 from robots.perception.rgbd.eyes import Eyes
 from robots.perception.rgbd.picture import Colors, Depths, Picture
+from robots.perception.rgbd.picture_slot import PictureSlotWriter
 from robots.perception.rgbd.watch import TOLD, PictureWatch
 from robots.simulated.camera.lens import Lens
 from robots.simulated.camera.orders import Answer, Setup, Shot
@@ -74,11 +75,17 @@ class CameraProcess:
         self._labellers = setup.labelling.labeller()
         self._eyes = _eyes(setup, self._labellers)
         self._processor = ProcessorClock()
+        self._slot = None if setup.slot is None else PictureSlotWriter(setup.slot)
 
     @property
     def labels(self) -> frozenset[str] | None:
         """The words that can be told."""
         return self._eyes.labels
+
+    def close(self) -> None:
+        """Show nothing any more."""
+        if self._slot is not None:
+            self._slot.close()
 
     def take(self, shot: Shot) -> Picture:
         """Draw one picture, as the camera gives it."""
@@ -101,6 +108,8 @@ class CameraProcess:
     def answer(self, shot: Shot) -> Answer:
         """Take a picture and look at it."""
         picture = self.take(shot)
+        if self._slot is not None and self._posts[shot.camera].world_T_camera is None:
+            self._slot.show(picture)
         began = self._processor.now_s()
         watch = self._posts[shot.camera].watch
         trouble = watch.judge(picture)
@@ -126,7 +135,7 @@ def serve(pipe: Connection[Any, Any]) -> None:
         try:
             asked = pipe.recv()
         except (EOFError, OSError):
-            return
+            break
         reply: Any
         try:
             if isinstance(asked, Setup):
@@ -139,7 +148,9 @@ def serve(pipe: Connection[Any, Any]) -> None:
         try:
             pipe.send(reply)
         except OSError:
-            return
+            break
+    if process is not None:
+        process.close()
 
 
 if __name__ == "__main__":

@@ -131,6 +131,24 @@ def test_seeing_with_the_camera_without_opengl_is_refused_before_anything_moves(
     assert "libegl1" in one_line(result)
 
 
+@pytest.mark.parametrize("asked", ["by an option", "by the scene"])
+def test_a_robot_that_cannot_see_without_opengl_is_not_served(executive, monkeypatch, tmp_path, asked):
+    from executive.live.caller import service
+    from robots.simulated.pictures import opengl
+
+    monkeypatch.setattr(opengl, "_library", lambda name: None)
+    monkeypatch.setattr(service, "Service", None)  # nothing is started
+    scene = tmp_path / "scene.toml"
+    scene.write_text('[perception]\nkind = "rgbd"\n')
+    options = ["--perception", "rgbd"] if asked == "by an option" else ["--scene", str(scene)]
+
+    result = executive("serve", *options, "--folder", str(tmp_path / "live"))
+
+    assert result.exit_code == 2
+    assert "libegl1" in one_line(result)
+    assert not (tmp_path / "live").exists()
+
+
 @pytest.mark.requirement("S9", "U1")
 def test_a_run_tells_its_result_and_writes_a_report_of_the_published_form(executive, tmp_path):
     report = tmp_path / "report.json"

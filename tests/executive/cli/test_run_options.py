@@ -15,7 +15,6 @@ from executive.doors import companion
         ("--report", "report.json"),
         ("--video", "film.mp4"),
         ("--junit", "run.xml"),
-        ("--perception", "rgbd"),
         ("--on-question", "first"),
     ],
 )

@@ -7,7 +7,7 @@ import pytest
 from cyclonedds.idl import IdlStruct
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-from executive.doors.ros import messages
+from executive.doors.ros import camera_messages, messages
 from executive.doors.ros.type_hashes import TYPE_HASHES
 
 pytestmark = pytest.mark.requirement("U3")
@@ -23,7 +23,7 @@ VISION = {
 """Definitions of vision_msgs, which the other implementation does not bring."""
 KINDS = [
     kind
-    for kind in vars(messages).values()
+    for kind in {**vars(messages), **vars(camera_messages)}.values()
     if isinstance(kind, type) and issubclass(kind, IdlStruct) and kind is not IdlStruct
 ]
 
@@ -57,7 +57,7 @@ def value(kind, field, rng, depth):
         case bool():
             return bool(rng.integers(2))
         case int():
-            return int(rng.integers(0, 2 if field.name == "level" else 2**31))
+            return int(rng.integers(0, 2 if field.name in ("level", "is_bigendian") else 2**31))
         case float():
             return float(rng.normal())
         case str():
@@ -85,6 +85,8 @@ ELEMENTS = {
 
 
 def element(kind, name, rng, depth):
+    if kind is camera_messages.Image:
+        return int(rng.integers(256))
     of = ELEMENTS.get((kind.__name__, name))
     return float(rng.normal()) if of is None else drawn(of, rng, depth + 1)
 
@@ -100,7 +102,7 @@ def as_other(message, types):
         elif isinstance(one, list) and one and isinstance(one[0], IdlStruct):
             one = [as_other(each, types) for each in one]
         elif isinstance(one, list) and (not one or isinstance(one[0], (int, float))):
-            is_bytes = type(message) is messages.Gid
+            is_bytes = type(message) in (messages.Gid, camera_messages.Image)
             one = (
                 one
                 if (type(message).__name__, field.name) in ELEMENTS
@@ -125,3 +127,16 @@ def test_random_messages_are_the_same_bytes_on_both_sides(kind, other):
 )
 def test_the_hash_of_a_type_is_the_one_that_ros_has(kind, other):
     assert TYPE_HASHES[kind.__name__] == other.hash_rihs01(ros_name(kind))
+
+
+@pytest.mark.parametrize("length", [0, 1, 3, 4, 921_600])
+def test_pixels_that_are_bytes_already_are_the_same_on_the_wire(other, length):
+    rng = np.random.default_rng(length)
+    pixels = rng.integers(0, 256, length, dtype=np.uint8)
+    message = drawn(camera_messages.Image, rng)
+    message.data = pixels.tobytes()
+    listed = dataclasses.replace(message, data=pixels.tolist())
+
+    theirs = other.serialize_cdr(as_other(listed, other.types), "sensor_msgs/msg/Image")
+
+    assert message.serialize() == listed.serialize() == bytes(theirs)

@@ -184,6 +184,17 @@ def test_the_control_process_is_told_who_supervises_it(world, begin):
     assert world.control.command[world.control.command.index("--supervisor") + 1] == str(os.getpid())
 
 
+@pytest.mark.parametrize(("perception", "told"), [("rgbd", ["--perception", "rgbd"]), (None, [])])
+def test_the_control_process_is_told_how_the_robot_sees_when_that_was_asked(
+    world, tmp_path, perception, told
+):
+    place = (tmp_path / "live", "talos", "tabletop", 0, tmp_path / "runs")
+    Service(ServiceRequest(*place, perception=perception), world.said.append)
+
+    command = world.control.command
+    assert [one for one in command if one in ("--perception", "rgbd")] == told
+
+
 def test_so_many_within_the_window_are_too_many():
     restarts = Restarts(most=3, within_s=100.0)
 

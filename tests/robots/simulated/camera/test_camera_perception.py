@@ -9,6 +9,7 @@ from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock
 from robots.errors import DescriptionError, RenderingUnavailableError
 from robots.models.description import load_robot
+from robots.perception.rgbd.picture_slot import PictureSlotReader
 from robots.scenes.scene_file import load_scene
 from robots.simulated.camera import camera_perception
 from robots.simulated.camera.camera_perception import CameraPerception, require_camera
@@ -22,7 +23,7 @@ FRAME = "rgbd_rgb_optical_frame"
 class Stage:
     """A robot that stands still before a scene, and its camera."""
 
-    def __init__(self, seed=3, scene="tabletop"):
+    def __init__(self, seed=3, scene="tabletop", slot=None):
         robot, scene = load_robot("talos"), load_scene(scene)
         home = {**robot.description.home, "head_1_joint": 0.7, "torso_2_joint": 0.2}
         robot = replace(robot, description=replace(robot.description, home=home))
@@ -38,6 +39,7 @@ class Stage:
             self.clock,
             np.random.default_rng(seed),
             self.believed,
+            slot=slot,
         )
 
     def frames(self, count, eye=None):
@@ -106,6 +108,24 @@ def test_a_frozen_camera_is_noticed_within_half_a_second(stage):
     assert troubled
     assert troubled[0].stamp_s - since < 0.5
     assert "same picture" in troubled[0].trouble
+
+
+@pytest.mark.opengl
+def test_the_picture_that_was_looked_at_is_shown_to_who_wants_it_and_those_of_the_room_are_not(tmp_path):
+    slot = tmp_path / "picture"
+    stage, reader = Stage(scene="watched", slot=slot), PictureSlotReader(slot)
+    reader.want(True)
+
+    stage.frames(1, stage.eyes.cameras[0])
+    of_the_room = reader.newest()
+    (frame,) = stage.frames(1)
+    shown = reader.newest()
+    reader.want(False)
+
+    assert of_the_room is None
+    assert (shown.frame, shown.color.shape) == (FRAME, (480, 640, 3))
+    assert shown.stamp_s >= frame.stamp_s
+    assert 0.3 < np.median(shown.depth_mm[shown.depth_mm > 0]) / 1000.0 < 3.0
 
 
 def test_a_robot_without_a_camera_is_refused_with_what_its_data_lack():
