@@ -7,21 +7,28 @@ import threading
 from bisect import bisect_left
 from collections import deque
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
+from cyclonedds.core import DDSException
+from cyclonedds.idl import IdlStruct
+from cyclonedds.pub import DataWriter
 from numpy.typing import NDArray
 
 from executive.doors.ros.camera_messages import CameraInfo, Image
-from executive.doors.ros.graph import RosNode, best_effort
+from executive.doors.ros.graph import RosNode, reliable
 from executive.doors.ros.messages import Header, Time
 from robots.clock import WallClock
 from robots.perception.rgbd.picture_slot import PictureSlotReader, ShownPicture
+
+M = TypeVar("M", bound=IdlStruct)
 
 _POLL_S = 1.0 / 15.0
 _APART_S = 0.5 * _POLL_S
 """Wall time between colours and depths: a listener's socket does not hold both at once."""
 _MOST_KEPT = 1000
+_KEPT = 5
+"""Pictures that wait for a slow listener."""
 _BEYOND_S = 0.05
 
 
@@ -67,14 +74,15 @@ class CameraTopics:
 
     def __init__(self, node: RosNode, slot: Path, stamps: StateStamps) -> None:
         self._slot, self._stamps = PictureSlotReader(slot), stamps
-        lossy = best_effort(5)
+        # a reader of either kind hears a reliable writer, and on a busy machine more arrives
+        kept = reliable(_KEPT)
         self._ended = threading.Event()
         self._thread: threading.Thread | None = None
         self._depths_left: Image | None = None
-        self._color = node.writer("/camera/color/image_raw", Image, lossy)
-        self._depth = node.writer("/camera/depth/image_raw", Image, lossy)
+        self._color = node.writer("/camera/color/image_raw", Image, kept)
+        self._depth = node.writer("/camera/depth/image_raw", Image, kept)
         self._infos = [
-            node.writer(f"/camera/{which}/camera_info", CameraInfo, lossy) for which in ("color", "depth")
+            node.writer(f"/camera/{which}/camera_info", CameraInfo, kept) for which in ("color", "depth")
         ]
 
     def begin(self, wall: WallClock) -> None:
@@ -95,7 +103,7 @@ class CameraTopics:
         Pictures are wanted while somebody listens.
         """
         if self._depths_left is not None:
-            self._depth.write(self._depths_left)
+            _write(self._depth, self._depths_left)
             self._depths_left = None
             return
         wanted = any(map(_is_heard, (self._color, self._depth, *self._infos)))
@@ -106,9 +114,9 @@ class CameraTopics:
         if shown is None or stamp is None:
             return
         for writer in self._infos:
-            writer.write(camera_info(shown, stamp))
+            _write(writer, camera_info(shown, stamp))
         if _is_heard(self._color):
-            self._color.write(color_image(shown, stamp))
+            _write(self._color, color_image(shown, stamp))
         if _is_heard(self._depth):
             self._depths_left = depth_image(shown, stamp)
 
@@ -116,6 +124,12 @@ class CameraTopics:
         while not self._ended.is_set():
             self.poll()
             wall.sleep(_APART_S)
+
+
+def _write(writer: DataWriter[M], message: M) -> None:
+    """Write a sample; one that a slow reader leaves no room for is lost: a late picture is worth nothing."""
+    with contextlib.suppress(DDSException):
+        writer.write(message)
 
 
 def color_image(shown: ShownPicture, stamp: Time) -> Image:

@@ -263,9 +263,7 @@ class Desk:
                     self._listeners.append(connection)
                 connection.send(write_message("done", listeners=len(self._listeners)))
             case Cancel(reason):
-                under_way = self.current is not None
-                if under_way:
-                    self._attended.cancel(reason or "cancelled")
+                under_way = self._halt(reason or "cancelled")
                 connection.send(write_message("done", under_way=under_way))
             case PauseTask(reason):
                 under_way = self.current is not None
@@ -341,8 +339,7 @@ class Desk:
             self._queue(Order(Script(tuple(self._begun.pop(connection))), connection, self._listeners))
 
     def _queue(self, order: Order) -> None:
-        if self.current is not None and self._says_stop(order.said):
-            self._attended.cancel("stop was said")
+        if self._says_stop(order.said) and self._halt("stop was said"):
             order.end("done: what was under way is halted", "done", ExitCode.DONE)
         elif self.current is not None or len(self._waiting) >= MAX_WAITING:
             under_way = self.current or self._waiting[0]
@@ -354,6 +351,16 @@ class Desk:
             )
         else:
             self._waiting.append(order)
+
+    def _halt(self, reason: str) -> bool:
+        """Cancel what is under way, and what has come and not begun yet; whether there was anything."""
+        waited = list(self._waiting)
+        self._waiting.clear()
+        for order in waited:
+            order.end(f"cancelled: {reason}", "cancelled", ExitCode.CANCELLED)
+        if self.current is not None:
+            self._attended.cancel(reason)
+        return bool(waited) or self.current is not None
 
     def _says_stop(self, said: Said) -> bool:
         if isinstance(said, Velocity | FollowTrajectory | TakeOver):

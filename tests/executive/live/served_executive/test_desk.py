@@ -184,6 +184,18 @@ def test_a_spoken_stop_cancels_what_another_one_asked_for(busy, attended, anothe
     assert attended.heard == [("cancel", "stop was said")]
 
 
+@pytest.mark.requirement("S7")
+@pytest.mark.parametrize("message", [Cancel("enough"), Say("stop")], ids=["cancel", "stop"])
+def test_what_has_come_and_not_begun_yet_is_cancelled_too(person, desk, another, message):
+    person.says(Say("walk to the kitchen"))
+
+    (told,) = another().says(message)
+
+    assert told.get("under_way", True) is True
+    assert [read_object(frame.payload)["outcome"] for frame in person.connection.receive()] == ["cancelled"]
+    assert desk.next_order() is None
+
+
 def test_a_second_sentence_is_refused_while_one_is_carried_out(busy, another):
     (told,) = another().says(Say("wave"))
 
