@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.arrays import Sealed
 from kinematics.whole_file import read_whole, write_whole
 from robots.perception.rgbd.picture import Colors, Picture
 
@@ -29,7 +30,7 @@ _HEAD_AT_MOST = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class ShownPicture:
+class ShownPicture(Sealed):
     """A picture as it is shown.
 
     Attributes:
