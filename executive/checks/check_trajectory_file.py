@@ -7,6 +7,7 @@ from pathlib import Path
 
 from executive.errors import TrajectoryFileError
 from executive.exit_codes import ExitCode
+from executive.motion_file import read_motion_file
 from executive.reports.check_report import CheckReport, MotionVerdict
 from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.errors import TrajectoryDocumentError
@@ -30,21 +31,7 @@ def load_trajectory(path: Path) -> StoredTrajectory:
     Raises:
         TrajectoryFileError: File, place and reason.
     """
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise TrajectoryFileError(path, f"has more than {MAX_BYTES} bytes")
-        with path.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except OSError as failed:
-        raise TrajectoryFileError(path, failed.strerror or "cannot be read") from failed
-    if len(content) > MAX_BYTES:  # a pipe has no size beforehand
-        raise TrajectoryFileError(path, f"has more than {MAX_BYTES} bytes")
-    try:
-        return read_trajectory(content.decode("utf-8"))
-    except UnicodeDecodeError as broken:
-        raise TrajectoryFileError(path, "is not UTF-8 text") from broken
-    except TrajectoryDocumentError as broken:
-        raise TrajectoryFileError(path, str(broken)) from broken
+    return read_motion_file(path, MAX_BYTES, read_trajectory)
 
 
 def check_stored(

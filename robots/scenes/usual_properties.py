@@ -30,16 +30,21 @@ def usual_mass_kg(kind: str, shape: Shape, wall_m: float | None = None) -> float
         shape: Its outline.
         wall_m: Thickness of walls and bottom where it is hollow and open at the top.
     """
-    outline = _volume_m3(shape, 0.0)
+    outline = inside_m3(shape)
     if wall_m is None:
         mass_kg = outline * _SOLID_KG_M3[kind]
     else:
-        mass_kg = (outline - _volume_m3(shape, wall_m)) * _WALL_KG_M3[kind]
+        mass_kg = (outline - inside_m3(shape, wall_m)) * _WALL_KG_M3[kind]
     return max(LIGHTEST_KG, min(HEAVIEST_KG, mass_kg))
 
 
-def _volume_m3(shape: Shape, wall_m: float) -> float:
-    """What is inside walls and a bottom so thick, m^3."""
+def inside_m3(shape: Shape, wall_m: float = 0.0) -> float:
+    """What a solid holds, m^3.
+
+    Args:
+        shape: Its outline.
+        wall_m: How thick its walls and its bottom are.
+    """
     match shape:
         case Box(size_m=(x, y, z)):
             return max(x - 2.0 * wall_m, 0.0) * max(y - 2.0 * wall_m, 0.0) * max(z - wall_m, 0.0)

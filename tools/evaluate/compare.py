@@ -26,6 +26,8 @@ COMPARE = "compare"
 _SHOWN = 25
 _TIMES = ("simulated_s", "planning_ms")
 _SEED = 0
+_TOLD = ("seed", "robot", "fault", "scene", "perception", "light")
+"""What an option says of an order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,10 +134,11 @@ def print_comparison(found: Comparison, names: tuple[str, str], console: Console
 
 
 def again(episode: EpisodeDocument) -> str:
-    """The command that runs an episode again."""
-    options = {key: value for key, value in episode.order.items() if value is not None and key != "suite"}
-    told = " ".join(f"--{key} {value}" for key, value in options.items() if isinstance(value, str | int))
-    return f"python -m tools.evaluate {episode.suite} --episodes 1 --jobs 1 {told}"
+    """The command that runs an episode again, and what of its order no option says."""
+    told = [f"--{key} {episode.order[key]}" for key in _TOLD if episode.order.get(key) is not None]
+    rest = {key: value for key, value in episode.order.items() if key not in _TOLD}
+    command = " ".join(["python -m tools.evaluate", episode.suite, "--episodes 1 --jobs 1", *told])
+    return f"{command}, there {json.dumps(rest)}" if rest else command
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

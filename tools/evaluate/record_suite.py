@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
@@ -25,8 +26,8 @@ class Judged(Protocol):
         ...
 
 
-class Summarised(Protocol):
-    """What many records say together."""
+class Counted(Protocol):
+    """What many records say together, as demands and numbers."""
 
     def bars(self) -> list[Bar]:
         """The demands."""
@@ -35,6 +36,10 @@ class Summarised(Protocol):
     def figures(self) -> Mapping[str, float]:
         """Numbers worth knowing."""
         ...
+
+
+class Summarised(Counted, Protocol):
+    """The same, and as the evaluation's document."""
 
     def to_json(self) -> dict[str, Any]:
         """The evaluation's document."""
@@ -91,6 +96,22 @@ def run_record_suite(
     if len(bad_ones) > _SHOWN:
         console.print(f"and {len(bad_ones) - _SHOWN} more, all in the JSON")
     return 0 if all(bar.met for bar in summary.bars()) else 1
+
+
+def document_of(suite: str, summary: Counted, records: Sequence[Any]) -> dict[str, Any]:
+    """A summary of pictures as an evaluation's document.
+
+    Args:
+        suite: Its name.
+        summary: What the records say together.
+        records: Them, dataclasses.
+    """
+    return {
+        "suite": suite,
+        "bars": [asdict(bar) for bar in summary.bars()],
+        "figures": summary.figures(),
+        "records": [asdict(record) for record in records],
+    }
 
 
 def _table(title: str, summary: Summarised) -> Table:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from executive.errors import TrajectoryFileError
-from kinematics.errors import TrajectoryDocumentError
+from executive.motion_file import read_motion_file
 from kinematics.formats.joint_motion import JointMotion, read_joint_motion
 
 MAX_BYTES = 16_000_000
@@ -18,18 +18,6 @@ def load_joint_motion(path: Path) -> JointMotion:
     Raises:
         TrajectoryFileError: File, place and reason.
     """
-    try:
-        if not path.is_file():
-            raise TrajectoryFileError(path, "is no file")
-        with path.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except OSError as failed:
-        raise TrajectoryFileError(path, failed.strerror or "cannot be read") from failed
-    if len(content) > MAX_BYTES:
-        raise TrajectoryFileError(path, f"has more than {MAX_BYTES} bytes")
-    try:
-        return read_joint_motion(content.decode("utf-8"))
-    except UnicodeDecodeError as broken:
-        raise TrajectoryFileError(path, "is not UTF-8 text") from broken
-    except TrajectoryDocumentError as broken:
-        raise TrajectoryFileError(path, str(broken)) from broken
+    if not path.is_file():  # nobody waits for what a pipe may bring
+        raise TrajectoryFileError(path, "is no file")
+    return read_motion_file(path, MAX_BYTES, read_joint_motion)

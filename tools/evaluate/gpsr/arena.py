@@ -54,7 +54,7 @@ _NAMED: tuple[tuple[str, str, str, str], ...] = (
 )  # fmt: skip
 """Names, what they are as solids, colours and categories."""
 _KINDS = ("cup", "bottle", "can", "box")
-_PEOPLE = ("Ana", "Ben", "Cleo", "Dan")
+_PEOPLE = ("Ana", "Charlie", "Robin", "Simone")
 _GARMENTS = ("shirt", "trousers", "jacket")
 _APART_M = 0.17
 _DRAWS = 200

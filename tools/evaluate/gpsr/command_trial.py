@@ -28,6 +28,12 @@ class CommandTrial(Trial):
     words: FieldWords = ANY_ARENA
 
     @property
+    def person(self) -> str:
+        """Whom the command names first; empty where it names nobody."""
+        told = [(self.sentence.find(name), name) for name in self.words.names if name in self.sentence]
+        return min(told, default=(0, ""))[1]
+
+    @property
     def speaker(self) -> str:
         """Who gives the command: the person nearest to the robot at the beginning."""
         start = (self.scene.robot_start.x_m, self.scene.robot_start.y_m)

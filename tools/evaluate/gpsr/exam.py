@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from tools.evaluate.gpsr.command_trial import command_trial
-from tools.evaluate.gpsr.oracle import Oracle
+from tools.evaluate.gpsr.oracle import oracle_for
 from tools.evaluate.skills.suite import SkillSuite
 
 BAR = 0.80
-GPSR = SkillSuite(command_trial, Oracle, stands=False, bar=BAR)
+GPSR = SkillSuite(command_trial, oracle_for, stands=False, bar=BAR)

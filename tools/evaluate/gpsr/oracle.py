@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
-from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.control.period import PERIOD_S
 from robots.scenes.scene_description import SceneDescription, SceneItem
+from robots.scenes.usual_properties import inside_m3
 from robots.simulated.people.taking_person import TakingPerson
+from robots.simulated.truth.truth import SimulatorTruth
 from tools.evaluate.gpsr.arena import carrier_of, region_of
 from tools.evaluate.gpsr.command_trial import CommandTrial
+from tools.evaluate.skills.gestures import WaveJudge
 from tools.evaluate.skills.suite import Figure, Trial, Verdict
 from trees.events import Offered, Said
 
@@ -30,22 +33,29 @@ _REACTION_S = (0.3, 1.5)
 class Oracle:
     """Plays whoever takes what is offered, notes what is said, and knows what should be at the end."""
 
-    def __init__(self, assembly: Assembly, trial: Trial, rng: np.random.Generator) -> None:
-        assert isinstance(trial, CommandTrial)
-        self._truth, self._trial = assembly.world.truth, trial
+    def __init__(
+        self,
+        truth: SimulatorTruth,
+        trial: CommandTrial,
+        people: Mapping[str, TakingPerson],
+        wave: WaveJudge | None,
+    ) -> None:
+        """Begin before the command is given.
+
+        Args:
+            truth: Of the world.
+            trial: The command, and where it is given.
+            people: Who takes what is offered, by name.
+            wave: Follows the hands, where somebody is to be waved to.
+        """
+        self._truth, self._trial, self._people, self._wave = truth, trial, people, wave
         self._said: list[tuple[str, float]] = []
-        self._waved_m: dict[str, float] = {}
         self._taken: list[tuple[str, str]] = []
-        pull_n, reaction_s = float(rng.uniform(*_PULL_N)), float(rng.uniform(*_REACTION_S))
-        self._people = {
-            person.name: TakingPerson(assembly.world.physics, self._truth, person.name, pull_n, reaction_s)
-            for person in trial.scene.people
-        }
 
     def on_event(self, event: object) -> None:
         """Note what is said, and have people take what is offered to them."""
         if isinstance(event, Said):
-            self._said.append((event.text, self._nearest_m(event.to)))
+            self._said.append((event.text, self._away_m(self._trial.person)))
         if isinstance(event, Offered) and event.to in self._people:
             item = self._in_hand()
             if item is not None:
@@ -53,7 +63,9 @@ class Oracle:
                 self._people[event.to].offer(item, self._truth.time_s)
 
     def on_period(self) -> None:
-        """Reach, close, pull."""
+        """Reach, close, pull; follow the hands where somebody is to be waved to."""
+        if self._wave is not None:
+            self._wave.on_period()
         for _, person in self._taken[-1:]:
             self._people[person].tick(PERIOD_S)
 
@@ -85,11 +97,9 @@ class Oracle:
             return self._counted(named, results)
         if action == "describe":
             return self._ranked(results)
-        if action in ("say", "answer", "greet", "wave"):
-            return self._spoken(action, named, results)
-        if action == "find" and last and not any("x_m" in result.evidence for result in results):
-            return "not found"
-        return ""
+        if action == "wave":
+            return self._waved(results)
+        return self._spoken(action, named) if action in ("say", "answer", "greet") else ""
 
     def _held(self, thing: str) -> str:
         if thing not in self._truth.contacts.in_pads_only():
@@ -135,21 +145,23 @@ class Oracle:
     def _ranked(self, results: Sequence[TaskResult]) -> str:
         items = self._on_the_named_piece()
         size = next(word for word in ("smallest", "biggest", "largest") if word in self._trial.sentence)
-        ordered = sorted(items, key=_size_m3)
+        ordered = sorted(items, key=lambda item: inside_m3(item.shape))
         right = (ordered[0] if size == "smallest" else ordered[-1]).name if ordered else ""
         told = str(results[-1].evidence.get("names", "")) if results else ""
         return "" if told == right or right in told.split(", ") else f"told {told!r}, it is the {right}"
 
-    def _spoken(self, action: str, named: str, results: Sequence[TaskResult]) -> str:
-        person = next((name for name in self._trial.words.names if name in self._trial.sentence), "")
-        if action == "wave":
-            waved = any("swings" in result.evidence for result in results)
-            near = self._nearest_m(person) <= NEAR_M
-            return "" if waved and near else f"did not wave to {person}"
-        told = [(text, far) for text, far in self._said if action != "say" or named in text]
+    def _waved(self, results: Sequence[TaskResult]) -> str:
+        assert self._wave is not None
+        person, verdict = self._trial.person, self._wave.verdict(results)
+        if not verdict.done:
+            return f"did not wave to {person}: {verdict.why}"
+        return "" if self._away_m(person) <= NEAR_M else f"waved too far from {person}"
+
+    def _spoken(self, action: str, named: str) -> str:
+        told = [far for text, far in self._said if action != "say" or named in text]
         if not told:
             return f"did not say {named!r}" if action == "say" else "said nothing"
-        return "" if min(far for _, far in told) <= NEAR_M else f"said it too far from {person}"
+        return "" if min(told) <= NEAR_M else f"said it too far from {self._trial.person}"
 
     def _on_the_named_piece(self) -> list[SceneItem]:
         scene: SceneDescription = self._trial.scene
@@ -157,27 +169,31 @@ class Oracle:
         place = max(named, key=len, default="")
         return [item for item in scene.objects if carrier_of(scene, item).name == place]
 
-    def _nearest_m(self, person: str) -> float:
-        """From the robot to somebody, or to the nearest one."""
+    def _away_m(self, person: str) -> float:
+        """From the robot to somebody; infinite where a command names nobody."""
         base = self._truth.world_T_base()[:2, 3]
-        meant = [one for one in self._trial.scene.people if person in ("", one.name)]
+        meant = [one for one in self._trial.scene.people if one.name == person]
         return min((math.dist(base, one.position_m) for one in meant), default=math.inf)
 
     def _in_hand(self) -> str | None:
         return next(iter(self._truth.contacts.in_pads_only()), None)
 
 
+def oracle_for(assembly: Assembly, trial: Trial, rng: np.random.Generator) -> Oracle:
+    """The oracle of a trial, with the people of its scene."""
+    assert isinstance(trial, CommandTrial)
+    truth, physics = assembly.world.truth, assembly.world.physics
+    pull_n, reaction_s = float(rng.uniform(*_PULL_N)), float(rng.uniform(*_REACTION_S))
+    people = {
+        person.name: TakingPerson(physics, truth, person.name, pull_n, reaction_s)
+        for person in trial.scene.people
+    }
+    waves = any(action == "wave" for action, _ in trial.does)
+    aimed = dataclasses.replace(trial, aim=trial.person)
+    return Oracle(truth, trial, people, WaveJudge(assembly, aimed, rng) if waves else None)
+
+
 def _within(yaw_rad: float, off: np.ndarray) -> tuple[float, float]:
     """Along and across of a piece that is turned."""
     c, s = math.cos(yaw_rad), math.sin(yaw_rad)
     return float(c * off[0] + s * off[1]), float(-s * off[0] + c * off[1])
-
-
-def _size_m3(item: SceneItem) -> float:
-    shape = item.shape
-    if isinstance(shape, Box):
-        return float(np.prod(shape.size_m))
-    if isinstance(shape, Cylinder):
-        return math.pi * shape.radius_m**2 * shape.height_m
-    assert isinstance(shape, Ball)
-    return 4.0 / 3.0 * math.pi * shape.radius_m**3

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
@@ -12,7 +12,7 @@ from rich.console import Console
 
 from robots.models.description import load_robot
 from tools.evaluate.people_seen.judge import PersonRecord, judged, told
-from tools.evaluate.record_suite import run_record_suite
+from tools.evaluate.record_suite import document_of, run_record_suite
 from tools.evaluate.records import Bar
 
 PEOPLE_SEEN_SUITE = "people-seen"
@@ -79,12 +79,7 @@ class PeopleSummary:
 
     def to_json(self) -> dict[str, Any]:
         """The evaluation's document."""
-        return {
-            "suite": PEOPLE_SEEN_SUITE,
-            "bars": [asdict(bar) for bar in self.bars()],
-            "figures": self.figures(),
-            "records": [asdict(record) for record in self.records],
-        }
+        return document_of(PEOPLE_SEEN_SUITE, self, self.records)
 
 
 def run_people_seen(options: argparse.Namespace, messages: Console) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,7 +21,7 @@ from robots.scenes.light import LightKind
 from robots.scenes.scene_description import SceneItem
 from tools.evaluate.perception.scenes import look, watched
 from tools.evaluate.perception.stand import Stand, world_T_odom
-from tools.evaluate.record_suite import run_record_suite
+from tools.evaluate.record_suite import document_of, run_record_suite
 from tools.evaluate.records import Bar
 
 _NEAR_M = 0.06
@@ -221,12 +221,7 @@ class TwoCameras:
 
     def to_json(self) -> dict[str, Any]:
         """The evaluation's document."""
-        return {
-            "suite": "perception, two cameras",
-            "bars": [asdict(bar) for bar in self.bars()],
-            "figures": self.figures(),
-            "records": [asdict(one) for one in self.records],
-        }
+        return document_of("perception, two cameras", self, self.records)
 
 
 def run_two_cameras(options: argparse.Namespace, messages: Console) -> int:

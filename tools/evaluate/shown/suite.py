@@ -5,14 +5,14 @@ from __future__ import annotations
 import argparse
 import tempfile
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 
 from robots.models.description import load_robot
-from tools.evaluate.record_suite import run_record_suite
+from tools.evaluate.record_suite import document_of, run_record_suite
 from tools.evaluate.records import Bar
 from tools.evaluate.shown.judge import SCENES_A_SET, NameRecord, judged, stock, told
 
@@ -82,12 +82,7 @@ class ShownSummary:
 
     def to_json(self) -> dict[str, Any]:
         """The evaluation's document."""
-        return {
-            "suite": SHOWN_SUITE,
-            "bars": [asdict(bar) for bar in self.bars()],
-            "figures": self.figures(),
-            "records": [asdict(record) for record in self.records],
-        }
+        return document_of(SHOWN_SUITE, self, self.records)
 
 
 def run_shown(options: argparse.Namespace, messages: Console) -> int:
