@@ -78,9 +78,10 @@ def test_a_pause_and_a_resume_without_a_task_do_nothing(robot):
 def test_a_cancel_reaches_the_task_with_its_reason(served, robot):
     served.holds = True
     run = robot.begin(TASK)
-    while not robot.cancel("enough"):
-        pass
+    while not run.status().lines:
+        run.wait(0, 1.0)
 
+    assert robot.cancel("enough")
     assert ended(run).outcome == "cancelled"
     assert served.cancels == ["enough"]
 
