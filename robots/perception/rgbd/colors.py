@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
-from robots.perception.rgbd.color_classes import COLOR_NAMES, MEANS, PRECISIONS
+from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.color_classes import COLOR_NAMES, DEVIATIONS, MEANS
 from robots.perception.rgbd.picture import Colors, Mask
 
 REFERENCE_RGB = (0.62, 0.47, 0.32)
@@ -20,8 +21,10 @@ _LEAST_REFERENCE = 400
 _OFF_LOCUS = 0.08
 _WHITE = 235.0
 _LEAST_PIXELS = 8
-_SHARES = 0.5, 0.95, 0.82, 0.95
+_SHARES = 0.5, 0.95, 0.75, 0.95
 """Of pixels in order of brightness: from where to where are those that count as typical, and as bright."""
+_LEVEL, _UPRIGHT = 0.92, 0.5
+"""What faces upwards by more than the one is level, by less than the other upright."""
 _DARK = 20.0
 
 
@@ -81,25 +84,40 @@ def light_of(
     return Light(locus[best], float(shown[0] / wood[0]), True)
 
 
-def features(typical: Array, bright: Array, light: Light) -> Array:
-    """What tells colours apart: two axes of saturation, and two of brightness, shape (k, 4).
+def hues(shown: Array, light: Light) -> Array:
+    """Two axes of saturation, shape (k, 2): how much of red, and of blue, there is.
 
     Args:
-        typical, bright: Colours of things and of their brightest parts in [0, 255], shape (k, 3).
+        shown: Colours in the picture, in [0, 255], shape (k, 3).
         light: Of the picture.
     """
-    seen, best = (
-        np.maximum(pixels, 0.0) / light.tint / max(light.level, 1.0) for pixels in (typical, bright)
+    reflected = _reflected(shown, light)
+    total = reflected.sum(axis=1) + 0.06
+    return np.column_stack([(reflected[:, 0] + 0.02) / total, (reflected[:, 2] + 0.02) / total])
+
+
+def brightness(shown: Array, light: Light) -> Array:
+    """How bright colours are beside what reflects everything, on a scale of logarithms, shape (k,)."""
+    found: Array = 0.35 * np.log(_reflected(shown, light).mean(axis=1) + 0.03)
+    return found
+
+
+def _reflected(shown: Array, light: Light) -> Array:
+    found: Array = np.maximum(shown, 0.0) / light.tint / max(light.level, 1.0)
+    return found
+
+
+def features(pieces: PieceColors, light: Light) -> Array:
+    """What tells colours apart, shape (k, 4): hues, and brightness of what is level and of what is upright.
+
+    A brightness that nothing of a piece shows is nan.
+    """
+    values = np.column_stack(
+        [hues(pieces.typical, light), brightness(pieces.level, light), brightness(pieces.upright, light)]
     )
-    total = seen.sum(axis=1) + 0.06
-    return np.column_stack(
-        [
-            (seen[:, 0] + 0.02) / total,
-            (seen[:, 2] + 0.02) / total,
-            0.35 * np.log(seen.mean(axis=1) + 0.03),
-            0.35 * np.log(best.mean(axis=1) + 0.03),
-        ]
-    )
+    values[~pieces.has_level, 2] = np.nan
+    values[~pieces.has_upright, 3] = np.nan
+    return values
 
 
 def as_in_daylight(color: Colors, light: Light) -> Colors:
@@ -109,34 +127,93 @@ def as_in_daylight(color: Colors, light: Light) -> Colors:
     return np.asarray(cv2.LUT(color, table[None]))
 
 
-def typical_colors(color: Colors, labels: NDArray[np.int32], count: int) -> tuple[Array, Array, Array]:
-    """What colour each piece has, without its rim.
+def facing_up(cloud: Cloud) -> NDArray[np.float32]:
+    """How much each two by two pixels face upwards: 1 level, 0 upright, nan where their neighbours are lost.
 
     Returns:
-        The median colour of its brighter half, that of its brightest parts but for the very brightest, both
-        in [0, 255], shape (k, 3), and how many pixels that goes by, shape (k,).
+        Shape (height / 2, width / 2).
+    """
+    places = cv2.merge([cloud.x[::2, ::2], cloud.y[::2, ::2], cloud.z[::2, ::2]])
+    smooth = cv2.blur(places, (3, 3))
+    across, down = np.zeros_like(smooth), np.zeros_like(smooth)
+    across[:, 1:-1] = smooth[:, 2:] - smooth[:, :-2]
+    down[1:-1] = smooth[2:] - smooth[:-2]
+    ax, ay, az = cv2.split(across)
+    dx, dy, dz = cv2.split(down)
+    nx, ny, nz = ay * dz - az * dy, az * dx - ax * dz, ax * dy - ay * dx
+    size = np.sqrt(nx * nx + ny * ny + nz * nz)
+    whole = cv2.erode(cloud.there[::2, ::2].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    up = np.abs(nz) / np.maximum(size, np.float32(1e-12))
+    return np.asarray(np.where(whole & (size > 0.0), up, np.float32(np.nan)), dtype=np.float32)
+
+
+@dataclass(frozen=True, slots=True)
+class PieceColors(InFloat64):
+    """What colours k pieces of a picture show, each in [0, 255], shape (k, 3).
+
+    What is level is lit as the surface is by which the light is known; what is upright may be in shade.
+
+    Attributes:
+        typical: The median of the brighter half.
+        level: The brighter ones of what faces upwards.
+        upright: The brighter ones of all else.
+        used: How many pixels that goes by, shape (k,).
+        has_level, has_upright: Whether enough of it is seen to tell, shape (k,).
+    """
+
+    typical: Array
+    level: Array
+    upright: Array
+    used: Array
+    has_level: NDArray[np.bool_]
+    has_upright: NDArray[np.bool_]
+
+
+def piece_colors(
+    color: Colors, labels: NDArray[np.int32], count: int, up: NDArray[np.float32]
+) -> PieceColors:
+    """What colours the pieces have, without their rims.
+
+    Args:
+        color: The picture.
+        labels: To which piece each pixel belongs, from 1.
+        count: Of pieces.
+        up: As ``facing_up`` tells.
     """
     height, width = labels.shape
     half = cv2.resize(color, (width // 2, height // 2), interpolation=cv2.INTER_AREA)
     half, labels = cv2.blur(half, (3, 3)), labels[::2, ::2]
     inner = cv2.erode((labels > 0).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    typical, bright, used = np.zeros((count, 3)), np.zeros((count, 3)), np.zeros(count)
+    typical, level, upright = np.zeros((count, 3)), np.zeros((count, 3)), np.zeros((count, 3))
+    used = np.zeros(count)
+    has_level, has_upright = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     for mask in (labels > 0, inner):  # the inner part where there is one
         rows, columns = np.nonzero(mask)
         which = labels[rows, columns] - 1
         pixels = half[rows, columns].astype(np.float64)
+        facing = up[rows, columns]
         order = np.lexsort((pixels @ np.ones(3), which))
-        which, pixels = which[order], pixels[order]
+        which, pixels, facing = which[order], pixels[order], facing[order]
         first = np.searchsorted(which, np.arange(count))
         last = np.searchsorted(which, np.arange(count), side="right")
         for k in range(count):
-            some = pixels[first[k] : last[k]]
-            if len(some) >= _LEAST_PIXELS:
-                at = [int(share * len(some)) for share in _SHARES]
-                typical[k] = np.median(some[at[0] : at[1]], axis=0)
-                bright[k] = some[at[2] : at[3]].mean(axis=0)
-                used[k] = len(some)
-    return typical, bright, used
+            some, faces = pixels[first[k] : last[k]], facing[first[k] : last[k]]
+            if len(some) < _LEAST_PIXELS:
+                continue
+            at = [int(share * len(some)) for share in _SHARES]
+            typical[k] = np.median(some[at[0] : at[1]], axis=0)
+            used[k] = len(some)
+            has_level[k], level[k] = _brighter(some[faces > _LEVEL])
+            has_upright[k], upright[k] = _brighter(some[faces < _UPRIGHT])
+    return PieceColors(typical, level, upright, used, has_level, has_upright)
+
+
+def _brighter(pixels: Array) -> tuple[bool, Array]:
+    """Whether there are enough, and the mean of the brighter ones of some in order of brightness."""
+    if len(pixels) < _LEAST_PIXELS:
+        return False, np.zeros(3)
+    found: Array = pixels[int(_SHARES[2] * len(pixels)) : int(_SHARES[3] * len(pixels)) + 1].mean(axis=0)
+    return True, found
 
 
 def name_colors(values: Array) -> tuple[list[str], Array, Array]:
@@ -146,13 +223,13 @@ def name_colors(values: Array) -> tuple[list[str], Array, Array]:
         values: As ``features`` gives them, shape (k, 4).
     """
     off = values[:, None] - MEANS
-    away = np.einsum("kci,cij,kcj->kc", off, PRECISIONS, off)
-    told = away - _LOG_PRECISIONS
+    known = np.isfinite(off)
+    scaled = np.where(known, off, 0.0) / DEVIATIONS
+    away = np.square(scaled).sum(axis=2)
+    # of one that is not known each name is as likely as before
+    told = away + 2.0 * (np.where(known, np.log(DEVIATIONS), 0.0)).sum(axis=2)
     shares = np.exp(-0.5 * (told - told.min(axis=1, keepdims=True)))
     shares /= shares.sum(axis=1, keepdims=True)
     best = told.argmin(axis=1)
     rows = np.arange(len(values))
     return [COLOR_NAMES[i] for i in best], shares[rows, best], away[rows, best]
-
-
-_LOG_PRECISIONS = np.linalg.slogdet(PRECISIONS)[1]

@@ -19,11 +19,12 @@ from robots.perception.rgbd.cloud import Cloud, cloud_of
 from robots.perception.rgbd.colors import (
     Light,
     as_in_daylight,
+    facing_up,
     features,
     light_of,
     name_colors,
+    piece_colors,
     smoothed_tint,
-    typical_colors,
 )
 from robots.perception.rgbd.confidence import confidences
 from robots.perception.rgbd.errors import Errors
@@ -172,8 +173,8 @@ class Eyes:
             boxes = Boxes(samples.boxes, segments.labels)
             named = namings(self._labeller, as_in_daylight(image, light), boxes, self._words)
             calls = with_names(calls, named)
-        typical, bright, used = typical_colors(image, segments.labels, segments.count)
-        values = features(typical, bright, light)
+        shown = piece_colors(image, segments.labels, segments.count, facing_up(cloud))
+        values = features(shown, light)
         names, shares, off = name_colors(values)
         belief = confidences(samples, solids, calls, shares, off)
         whole &= apart(solids, np.where(whole, belief.there, 0.0))
@@ -181,7 +182,7 @@ class Eyes:
             Thing(
                 solid=solids[k],
                 call=calls[k],
-                color=names[k] if used[k] > 0.0 else None,
+                color=names[k] if shown.used[k] > 0.0 else None,
                 color_share=float(shares[k]),
                 color_features=tuple(values[k].tolist()),
                 evidence=tuple(belief.evidence[k].tolist()),

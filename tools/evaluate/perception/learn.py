@@ -19,24 +19,24 @@ from robots.scenes.scene_words import COLORS
 from tools.evaluate.perception.judge import PictureRecord, ThingRecord
 
 _LEAST_VISIBLE = 0.25
-_FLOOR = (0.008, 0.008, 0.03, 0.03)
+_FLOOR = (0.012, 0.012, 0.03, 0.04)
 """Standard deviations that no class is narrower than, by feature."""
 _RIDGE = 0.5
 _NEAR_M = 0.03
 
 
 def color_classes(things: Sequence[ThingRecord]) -> tuple[list[str], Array, Array]:
-    """Names, means, shape (c, 4), and inverse covariances, shape (c, 4, 4), of each colour's features."""
-    names, means, precisions = list(COLORS), [], []
+    """Names, means and standard deviations of each colour's features, shape (c, 4) each."""
+    names, means, deviations = list(COLORS), [], []
     for name in names:
         some = [thing.features for thing in things if thing.color == name and thing.visible > _LEAST_VISIBLE]
         values = np.array(some)
-        middle = np.median(values, axis=0)
-        spread = 1.48 * np.median(np.abs(values - middle), axis=0) + 0.01
-        values = values[(np.abs(values - middle) < 4.0 * spread).all(axis=1)]
-        means.append(values.mean(axis=0))
-        precisions.append(np.linalg.inv(np.cov(values.T) + np.diag(np.square(_FLOOR))))
-    return names, np.array(means), np.array(precisions)
+        middle = np.nanmedian(values, axis=0)
+        spread = 1.48 * np.nanmedian(np.abs(values - middle), axis=0) + 0.01
+        values = np.where(np.abs(values - middle) < 4.0 * spread, values, np.nan)
+        means.append(np.nanmean(values, axis=0))
+        deviations.append(np.hypot(np.nanstd(values, axis=0), _FLOOR))
+    return names, np.array(means), np.array(deviations)
 
 
 def weights(evidence: Array, right: Array) -> Array:
@@ -59,10 +59,10 @@ def main(files: Sequence[str]) -> int:
     for file in files:
         records += pickle.loads(Path(file).read_bytes())
     things = [thing for record in records for thing in record.things if thing.found]
-    names, means, precisions = color_classes([thing for thing in things if thing.name])
+    names, means, deviations = color_classes([thing for thing in things if thing.name])
     print(f"COLOR_NAMES = {tuple(names)!r}")
     print(f"MEANS = np.array({np.round(means, 4).tolist()!r})")
-    print(f"PRECISIONS = np.array({np.round(precisions, 1).tolist()!r})")
+    print(f"DEVIATIONS = np.array({np.round(deviations, 4).tolist()!r})")
     evidence = np.array([thing.evidence for thing in things])
     right = np.array([thing.right for thing in things], dtype=np.float64)
     real = np.array([bool(thing.name) and thing.position_m < _NEAR_M for thing in things], dtype=np.float64)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from robots.perception.rgbd.colors import Light, features
+from robots.perception.rgbd.colors import Light, brightness, hues
 from robots.perception.rgbd.people.body import Body
 from robots.perception.rgbd.picture import Colors, Mask
 from robots.scenes.scene_words import COLORS
@@ -62,7 +62,7 @@ def _color(image: Colors, pixels: NDArray[np.int64], light: Light) -> str | None
 
 
 def _measured(colors: Array, light: Light) -> Array:
-    return features(colors, colors, light)[:, :3]
+    return np.column_stack([hues(colors, light), brightness(colors, light)])
 
 
 @cache
