@@ -78,6 +78,19 @@ class ObjectEstimate(Sealed):
             return SeenLabel(self.kind, self.color, self.names, self.categories, self.traits, self.alike)
         return Label(self.kind, self.color, self.names, self.categories, self.traits)
 
+    def may_be(self, kind: str, color: str | None) -> bool:
+        """Whether it can be an object that was known before, by its kind and its colour.
+
+        Args:
+            kind: What that one is.
+            color: Its colour; what was seen without one can have any.
+        """
+        return (
+            self.category == "object"
+            and (self.kind == kind or kind in self.alike)
+            and self.color in (color, None)
+        )
+
     @property
     def tilt_rad(self) -> float:
         """Angle of its own z axis to the vertical, in [0, pi]."""

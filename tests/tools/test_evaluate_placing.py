@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Cylinder
+from kinematics.geometry.shapes import Box, Cylinder
 from robots.scenes.scene_description import Furniture, SceneItem
 from tools.evaluate.skills.episode import trial_of
-from tools.evaluate.skills.placing import BESIDE_M, DIRECTION_RAD
+from tools.evaluate.skills.placing import BESIDE_M, DIRECTION_RAD, turned_rad
 from tools.evaluate.skills.room_beside import has_room
 
 TABLE = Furniture("table", "table", (0.6, 1.2, 0.8), (0.62, 0.0))
@@ -51,3 +51,16 @@ def test_nobody_is_asked_to_put_something_where_it_would_fall_off(seed):
 def test_what_can_be_done_is_asked_for_as_it_was_drawn():
     assert trial_of("place", 3124).tasks[-1].to.relation.kind == "in_front_of"
     assert np.isclose(trial_of("place", 3124).scene.robot_start.x_m, 0.025534452877446705)
+
+
+@pytest.mark.parametrize(
+    ("size_m", "turn_deg", "looks_deg"),
+    [
+        ((0.04, 0.08, 0.1), 178.0, 2.0),
+        ((0.04, 0.08, 0.1), 90.0, 90.0),
+        ((0.06, 0.06, 0.1), 91.0, 1.0),
+        ((0.04, 0.08, 0.1), 6.0, 6.0),
+    ],
+)
+def test_a_box_is_turned_as_far_as_it_looks_turned(size_m, turn_deg, looks_deg):
+    assert math.degrees(turned_rad(Box(size_m), math.radians(turn_deg))) == pytest.approx(looks_deg)

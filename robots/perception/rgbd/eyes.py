@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -33,6 +33,7 @@ from robots.perception.rgbd.furniture import find_furniture, on_map
 from robots.perception.rgbd.labels import Call, by_shape, kinds, with_names
 from robots.perception.rgbd.openings.find import Cabinets
 from robots.perception.rgbd.people.find import SeenPerson, find_people
+from robots.perception.rgbd.people.hands import held, in_hands
 from robots.perception.rgbd.picture import Picture
 from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.samples import Samples, sample
@@ -51,6 +52,8 @@ LEAST_THERE = 0.65
 """What is there less surely is not told: it may be a part of something else, or the edge of a thing."""
 
 
+_LEAST_IN_HAND = 0.8
+"""Where there are people there are arms, and a part of one may look like a thing."""
 _LARGEST_M = 0.40
 """What is wider is no thing on a surface."""
 
@@ -155,6 +158,7 @@ class Eyes:
             samples = sample(cloud, segments, ground)
             things = self._things(cloud, segments, samples, light)
         people = tuple(find_people(about.without(cloud), light))
+        things += self._in_hands(cloud, segments, surfaces, people, light)
         pieces = [piece for piece in pieces if "legs" not in piece.assumed or not _is_of(people, piece)]
         things = tuple(
             thing for thing in things if not any(_holds(one, thing.solid.place_m) for one in people)
@@ -164,6 +168,27 @@ class Eyes:
     def detect(self, picture: Picture, sequence: int) -> PerceptionFrame:
         """What a picture shows, as every detector tells it."""
         return as_frame(self.look(picture), picture, sequence)
+
+    def _in_hands(
+        self,
+        cloud: Cloud,
+        segments: Segments,
+        surfaces: Sequence[Surface],
+        people: Sequence[SeenPerson],
+        light: Light,
+    ) -> tuple[Thing, ...]:
+        """What people hold out to somebody."""
+        others = segments.labels > 0
+        for surface in surfaces:
+            on = surface.pixels.repeat(2, axis=0).repeat(2, axis=1)
+            others |= on | above(cloud, surface)
+        found, ground = in_hands(cloud, people, others, smoothed_tint(cloud.picture.color))
+        if not found.count:
+            return ()
+        things = self._things(cloud, found, sample(cloud, found, ground), light)
+        return tuple(
+            replace(thing, call=held(thing.call)) for thing in things if thing.there >= _LEAST_IN_HAND
+        )
 
     def _things(self, cloud: Cloud, segments: Segments, samples: Samples, light: Light) -> tuple[Thing, ...]:
         solids, whole = find_solids(cloud, samples)

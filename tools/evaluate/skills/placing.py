@@ -28,6 +28,8 @@ DIRECTION_RAD = math.radians(50.0)
 RELATIONS: tuple[RelationKind, ...] = ("left_of", "right_of", "in_front_of", "behind", "next_to")
 _AHEAD = {"left_of": 0.5 * math.pi, "right_of": -0.5 * math.pi, "in_front_of": math.pi, "behind": 0.0}
 _BESIDE_CHANCE = 0.5
+_SQUARE_M = 0.004
+"""A box whose edges differ by less than this is square to whoever sees it."""
 _HELD_CHANCE = 0.7
 
 
@@ -62,7 +64,7 @@ class PlaceJudge:
         item = next(one for one in self._trial.scene.objects if one.name == name)
         turned = 0.0
         if isinstance(item.shape, Box):
-            turned = abs(poses.yaw_of(planned[:3, :3].T @ pose[:3, :3]))
+            turned = turned_rad(item.shape, poses.yaw_of(planned[:3, :3].T @ pose[:3, :3]))
         tilt, lift_m = self._truth.tilt_rad(name), self._truth.lift_m(name)
         touching = self._truth.contacts.of_object(name)
         pads = {link for gripper in self._gripped.values() for link in gripper.touch_links}
@@ -96,6 +98,13 @@ class PlaceJudge:
         heading = self._trial.scene.robot_start.yaw_rad + _AHEAD[to.relation.kind]
         off = math.remainder(math.atan2(way[1], way[0]) - heading, 2.0 * math.pi)
         return abs(off) <= DIRECTION_RAD
+
+
+def turned_rad(box: Box, yaw_rad: float) -> float:
+    """By how much a plain box looks turned: half a turn is none, nor is a quarter of a square one."""
+    wide_m, deep_m, _ = box.size_m
+    same_rad = 0.5 * math.pi if abs(wide_m - deep_m) < _SQUARE_M else math.pi
+    return abs(math.remainder(yaw_rad, same_rad))
 
 
 def place_trial(rng: np.random.Generator) -> Trial:

@@ -48,9 +48,7 @@ def nearest_sighting(
     ]
     best: tuple[ObjectEstimate, float] | None = None
     for estimate in estimates:
-        if estimate.category != "object" or estimate.kind != target.kind:
-            continue
-        if estimate.color is not None and estimate.color != target.color:
+        if not estimate.may_be(target.kind, target.color):
             continue
         if estimate.names and words_for(estimate) != kind_of(target.name):
             continue

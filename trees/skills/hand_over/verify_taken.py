@@ -59,10 +59,8 @@ class VerifyTaken(LookAround):
         q = self.toolbox.sensing.state().q
         tcp = model.frame_pose(q, model.description.tcp_frames[held.hand])[:3, 3]
         for name, item in seen.items():
-            if item.category != "object" or (item.kind, item.color) != (held.kind, held.color):
-                continue
-            if name in stood:
-                continue  # another one, that was there all the time
+            if name in stood or not item.may_be(held.kind, held.color):
+                continue  # in the first case another one, that was there all the time
             from_hand_m = float(np.linalg.norm(item.odom_T_object[:3, 3] - tcp))
             height_m = float(item.odom_T_object[2, 3])
             self.measured(height_m=height_m, from_hand_m=from_hand_m)

@@ -8,6 +8,9 @@ from collections.abc import Mapping
 import numpy as np
 from py_trees.common import Status
 
+from kinematics.arrays import Array
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Shape
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.scene.bystanders import disturbed
 from trees.beliefs.scene.held_object import HeldObject
@@ -46,17 +49,15 @@ class VerifyPlaced(LookAround):
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Compare what was seen with what was meant."""
         held, placement, stood = self.get_input("held"), self.get_input("placement"), self.get_input("stood")
-        place = placement.odom_T_object[:3, 3]
+        place = _foot(placement.odom_T_object, held.shape)
         same = [
-            item
-            for name, item in seen.items()
-            if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
-            if name not in stood
+            item for name, item in seen.items() if item.may_be(held.kind, held.color) and name not in stood
         ]
         if not same:
             return Failure.postcondition(f"the {held.name} is not seen where it was put", frames=len(seen))
-        nearest = min(same, key=lambda item: float(np.linalg.norm(item.odom_T_object[:3, 3] - place)))
-        off_m = float(np.linalg.norm(nearest.odom_T_object[:3, 3] - place))
+        away_m = [float(np.linalg.norm(_foot(item.odom_T_object, item.shape) - place)) for item in same]
+        off_m = min(away_m)
+        nearest = same[away_m.index(off_m)]
         numbers = {"off_m": off_m, "tilt_rad": nearest.tilt_rad}
         self.measured(**numbers)
         if off_m > self.tolerance_m:
@@ -71,3 +72,11 @@ class VerifyPlaced(LookAround):
         self._set_output("evidence", {"object": held.name, "on": on, "hand": held.hand, **numbers})
         self.feedback_message = f"{off_m * 1000:.0f} mm from where it was meant to stand"
         return DONE
+
+
+def _foot(odom_T_object: Transform, shape: Shape) -> Array:
+    """The lowest point on the axis of what stands: the picture's edge may cut its top off.
+
+    Of what lies the place is far enough off either way.
+    """
+    return odom_T_object[:3, 3] - np.array([0.0, 0.0, 0.5 * shape.height_m])

@@ -63,10 +63,7 @@ class VerifyPutIn(LookAround):
             return Failure.postcondition(f"the {place.name} was pushed", pushed_m=pushed_m)
         stood = self.get_input("stood")  # one like it that was there before tells nothing
         same = [
-            item
-            for name, item in seen.items()
-            if item.category == "object" and item.kind == held.kind and item.color in (held.color, None)
-            if name not in stood
+            item for name, item in seen.items() if item.may_be(held.kind, held.color) and name not in stood
         ]
         inside = [
             item

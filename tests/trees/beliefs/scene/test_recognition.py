@@ -36,6 +36,11 @@ def test_another_kind_or_colour_is_not_it():
     assert find(sighting(*PLACE, kind="can"), sighting(*PLACE, color="blue")) is None
 
 
+@pytest.mark.requirement("P2")
+def test_what_looks_like_another_kind_and_may_be_its_is_it():
+    assert find(replace(sighting(*PLACE, kind="can"), alike=("cup",))) is not None
+
+
 def test_a_colour_that_could_not_be_told_may_be_it():
     assert find(sighting(*PLACE, color=None)) is not None
 

@@ -1,5 +1,7 @@
 """Seeing that what was put down stands where it was meant to."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from py_trees.common import Status
@@ -20,11 +22,12 @@ def looking(knowing, target, planned):
     return knowing
 
 
-def verify(stage, target, off_m, tolerance_m):
-    """Verify the cup against a placement that is beside it by so much."""
-    meant = poses.translation(0.0, off_m, 0.0) @ target.odom_T_object
+def verify(stage, target, off_m, tolerance_m, taller_m=0.0):
+    """Verify the cup against a placement that is beside it by so much, of a cup that is taller than seen."""
+    meant = poses.translation(0.0, off_m, 0.5 * taller_m) @ target.odom_T_object
     leaf = VerifyPlaced("verify", stage.toolbox, tolerance_m)
-    held = HeldObject("red cup", "right", target.shape, np.eye(4))
+    shape = replace(target.shape, height_m=target.shape.height_m + taller_m)
+    held = HeldObject("red cup", "right", shape, np.eye(4))
     stage.leaf = stage.ready(
         leaf, stood={}, held=held, placement=Placement("right", meant, ("table",), (0.0, 0.0))
     )
@@ -60,3 +63,12 @@ def test_what_is_not_seen_at_all_is_not_placed(looking, target):
     leaf = verify(looking, target, 0.0, looking.toolbox.policy.of(PlaceSettings).placed_tolerance_m)
 
     assert leaf.failure.message == "the red cup is not seen where it was put"
+
+
+@pytest.mark.requirement("P2")
+def test_what_seems_shorter_than_it_is_stands_where_its_foot_stands(looking, target):
+    tolerance_m = looking.toolbox.policy.of(PlaceSettings).placed_tolerance_m
+
+    leaf = verify(looking, target, 0.0, tolerance_m, taller_m=0.06)
+
+    assert leaf.status is Status.SUCCESS
