@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,11 +16,13 @@ from robots.perception.rgbd.people.find import SeenPerson
 from robots.perception.rgbd.picture import Mask
 from robots.perception.rgbd.segments import TINT_CHANGE, Segments, segment
 
-_REACH_M = 0.95
-"""Nobody holds anything farther from the trunk's axis."""
+_REACH_M = 1.2
+"""Nobody holds anything farther from the axis of the trunk."""
 _LOWEST_M, _HIGHEST_M = 0.5, 1.7
-_HELD_OUT_M = 0.29
-"""What is all farther from the axis than this is no part of the trunk, and of no arm that hangs."""
+_HELD_OUT_M = 0.27
+"""What is nearer to the axis than this is trunk, or an arm that hangs."""
+_JOINED_PIXELS, _JOINED_M = 8, 0.03
+_FAR_M = 100.0
 _LEAST_PIXELS, _TALLEST_M, _WIDEST_M = 150, 0.35, 0.30
 _FIST_M = 0.075
 """What is no higher, and of the colour of skin or of the sleeves, is a hand."""
@@ -48,11 +51,16 @@ def in_hands(
         away = np.hypot(cloud.x - axis[0], cloud.y - axis[1])
         near = cloud.there & ~others & (labels == 0) & (away < np.float32(_REACH_M))
         near &= (cloud.z > np.float32(_LOWEST_M)) & (cloud.z < np.float32(_HIGHEST_M))
-        pieces = segment(cloud, near, tint)
-        body = _tint(pieces.labels > 0, tint)
+        trunk = near & (away < np.float32(_HELD_OUT_M))
+        pieces = segment(cloud, near & ~trunk, tint)
+        body = _tint(trunk, tint)
+        trunk_depth = np.where(trunk, cloud.depth_m, np.float32(_FAR_M))
+        beside = np.abs(cv2.erode(trunk_depth, np.ones((5, 5), np.uint8)) - cloud.depth_m) < _JOINED_M
         for number in range(1, pieces.count + 1):
             mask = pieces.labels == number
-            if _is_held_out(cloud, mask, away) and not _is_hand(cloud, mask, tint, body):
+            if int((mask & beside).sum()) > _JOINED_PIXELS or not _has_size_of_thing(cloud, mask):
+                continue  # an arm goes on in the trunk
+            if not _is_hand(cloud, mask, tint, body):
                 lowest.append(float(np.quantile(cloud.z[mask], 0.02)))
                 labels[mask] = len(lowest)
     return Segments(labels, len(lowest)), np.array(lowest)
@@ -66,8 +74,8 @@ def held(call: Call) -> Call:
     return replace(call, alike=tuple(dict.fromkeys((*call.alike, *alike))))
 
 
-def _is_held_out(cloud: Cloud, mask: Mask, away: NDArray[np.float32]) -> bool:
-    if int(mask.sum()) < _LEAST_PIXELS or float(np.quantile(away[mask], 0.05)) < _HELD_OUT_M:
+def _has_size_of_thing(cloud: Cloud, mask: Mask) -> bool:
+    if int(mask.sum()) < _LEAST_PIXELS:
         return False
     spans = [float(np.ptp(np.quantile(axis[mask], (0.02, 0.98)))) for axis in (cloud.x, cloud.y, cloud.z)]
     return max(spans[:2]) < _WIDEST_M and spans[2] < _TALLEST_M
