@@ -36,6 +36,8 @@ confidence is off by 0.02. With all ten features it would be as far off.
 """
 THERE = (2.463, -0.62, -0.104, -2.955, -2.955, 1.563, 0.0, -0.919, 0.0, 0.0, 0.0)
 """The same of whether there is a thing at all: first the constant, then the features in their order."""
+_BY_ITS_TOP = 0.5
+"""Of a thing of which no more than the top is seen, the lid of a can is the cap of a ball as well."""
 _SURE_M = 0.001
 _MOST_ODDS = 4.0
 
@@ -108,6 +110,7 @@ def confidences(
     )
     by_name = np.array([RIGHT.get(name, 0.0) for name in FEATURES])
     right = _share(RIGHT["constant"] + evidence @ by_name)
+    right *= [1.0 if "sides" in solid.measured else _BY_ITS_TOP for solid in solids]
     return Belief(right, _share(THERE[0] + evidence @ np.array(THERE[1:])), evidence)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
@@ -19,6 +20,7 @@ SURE = 0.6
 """A sighting with less confidence does not do away with what is known."""
 _STACKED = 0.4
 """Of both heights: middles farther apart than this are one above the other."""
+_WITHIN_M = 0.01
 _HOLDS, _HOLDS_M = 1.0, 0.05
 """What is wider than this share of a thing, and so much more, could hold it."""
 
@@ -121,12 +123,16 @@ def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: 
     """
     if estimate.category != "object" or estimate.confidence >= SURE:
         return False
-    return any(
-        item.movable
-        and (name in sure or kind_of(name) != words_for(estimate))
-        and _same_place(item, estimate)
-        for name, item in scene.objects.items()
-    )
+    words = words_for(estimate)
+    for name, item in scene.objects.items():
+        if not item.movable:
+            continue
+        if kind_of(name) != words:
+            if _same_place(item, estimate) and not _could_hold(item, estimate):
+                return True
+        elif name in sure and (_same_place(item, estimate) or _is_within(estimate, item)):
+            return True
+    return False
 
 
 def _place_taken(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
@@ -145,6 +151,21 @@ def _same_place(item: SceneObject, estimate: ObjectEstimate) -> bool:
     beside = float(np.hypot(away[0], away[1])) > _SAME_PLACE * max(width, other)
     stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
     return not beside and not stacked and other < _HOLDS * width + _HOLDS_M
+
+
+def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
+    """Whether a thing is so wide that what is seen may lie in it, and is as unsure for that."""
+    return _width_m(item.shape) > _width_m(estimate.shape) + _HOLDS_M
+
+
+def _is_within(estimate: ObjectEstimate, item: SceneObject) -> bool:
+    """Whether the middle of a sighting is in a thing: one side of a box that the picture cuts off."""
+    local = poses.inverse(item.world_T_object) @ estimate.odom_T_object[:, 3]
+    if isinstance(item.shape, Box):
+        half = 0.5 * np.array(item.shape.size_m) + _WITHIN_M
+        return bool((np.abs(local[:3]) < half).all())
+    beside = float(np.hypot(local[0], local[1])) < item.shape.radius_m + _WITHIN_M
+    return beside and abs(float(local[2])) < 0.5 * item.shape.height_m + _WITHIN_M
 
 
 def _width_m(shape: Shape) -> float:

@@ -79,4 +79,5 @@ def _foot(odom_T_object: Transform, shape: Shape) -> Array:
 
     Of what lies the place is far enough off either way.
     """
-    return odom_T_object[:3, 3] - np.array([0.0, 0.0, 0.5 * shape.height_m])
+    foot: Array = odom_T_object[:3, 3] - np.array([0.0, 0.0, 0.5 * shape.height_m])
+    return foot

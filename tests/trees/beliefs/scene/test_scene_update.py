@@ -233,6 +233,30 @@ def test_what_was_surely_seen_keeps_its_size_when_a_part_of_it_is_seen_again():
     assert not update.seen
 
 
+@pytest.mark.requirement("P2")
+def test_a_side_of_a_box_that_the_picture_cuts_off_is_no_second_box():
+    box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
+    before = look(PlanningScene(), box).scene
+    side = seen("box", "brown", at=(0.5, -0.09, 0.94), shape=Box((0.17, 0.016, 0.07)))
+
+    update = updated_scene(
+        before, [replace(side, confidence=0.2)], POLICY, lambda _: True, sure=["brown box"]
+    )
+
+    assert set(update.scene.objects) == {"brown box"}
+
+
+@pytest.mark.requirement("P2")
+def test_what_is_seen_unsurely_in_a_bowl_is_no_contradiction_to_the_bowl():
+    bowl = seen("bowl", "white", at=(0.5, 0.0, 0.94), shape=Cylinder(0.08, 0.07))
+    before = look(PlanningScene(), bowl).scene
+    can = replace(seen("can", at=(0.5, 0.02, 0.96), shape=Cylinder(0.03, 0.1)), confidence=0.5)
+
+    update = updated_scene(before, [can], POLICY, lambda _: True, sure=["white bowl"])
+
+    assert set(update.seen) == {"red can"}
+
+
 def test_what_was_seen_unsurely_is_told_anew_by_an_unsure_look():
     before = look(PlanningScene(), seen("cup")).scene
     part = replace(seen("cup", at=(0.51, 0.01, 0.93), shape=Cylinder(0.02, 0.06)), confidence=0.4)
