@@ -116,20 +116,24 @@ def updated_scene(
 
 
 def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: Collection[str]) -> bool:
-    """Whether an unsure sighting is where something is known to be, surely or under another name.
+    """Whether a sighting, unsure of itself or of its kind, is where something is known to be.
 
     Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box, or like a
     lower cup.
     """
-    if estimate.category != "object" or estimate.confidence >= SURE:
+    unsure = estimate.confidence < SURE
+    if estimate.category != "object" or not (unsure or estimate.alike):
         return False
     words = words_for(estimate)
     for name, item in scene.objects.items():
         if not item.movable:
             continue
         if kind_of(name) != words:
-            if _same_place(item, estimate) and not _could_hold(item, estimate):
+            doubted = unsure or _may_be(estimate, item)
+            if doubted and _same_place(item, estimate) and not _could_hold(item, estimate):
                 return True
+        elif not unsure:
+            continue
         elif name in sure and (_same_place(item, estimate) or _is_within(estimate, item)):
             return True
     return False
@@ -151,6 +155,12 @@ def _same_place(item: SceneObject, estimate: ObjectEstimate) -> bool:
     beside = float(np.hypot(away[0], away[1])) > _SAME_PLACE * max(width, other)
     stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
     return not beside and not stacked and other < _HOLDS * width + _HOLDS_M
+
+
+def _may_be(estimate: ObjectEstimate, item: SceneObject) -> bool:
+    """Whether what is seen tells of itself that it may be of the kind that is known."""
+    label = item.label
+    return label is not None and label.color == estimate.color and label.kind in estimate.alike
 
 
 def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
