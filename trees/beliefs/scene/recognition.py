@@ -29,7 +29,8 @@ def nearest_sighting(
     """The sighting of the target nearest to where it is expected, and its distance from there in m.
 
     What is seen to be higher than the target is known to be has its foot out of sight, behind something: it
-    is no longer than it was, and where its top is seen tells where it is.
+    is no longer than it was, and where its top is seen tells where it is. Of what is lower a part is hidden,
+    by fingers or by the picture's edge.
 
     A sighting has the target's kind, colour (or no colour) and name (or no name), and is not where
     another object of the same words is known to be.
@@ -52,7 +53,7 @@ def nearest_sighting(
             continue
         if estimate.names and words_for(estimate) != kind_of(target.name):
             continue
-        estimate = _by_its_top(estimate, target)
+        estimate = _as_known(estimate, target, float(expected[2]))
         place = estimate.odom_T_object[:3, 3]
         distance = float(np.linalg.norm(place - expected))
         if any(float(np.linalg.norm(place - other)) < min(same_object_m, distance) for other in others):
@@ -62,14 +63,21 @@ def nearest_sighting(
     return best
 
 
-def _by_its_top(estimate: ObjectEstimate, target: Target) -> ObjectEstimate:
-    """A sighting with the height that is known, and where its top is, if it seems to have grown."""
-    grown_m = estimate.shape.height_m - target.shape.height_m
-    if estimate.lying or grown_m < _GROWN_M or isinstance(estimate.shape, Ball):
+def _as_known(estimate: ObjectEstimate, target: Target, expected_z_m: float) -> ObjectEstimate:
+    """A sighting with the height that is known.
+
+    One that has grown is where its top is. Of one that is shorter a part is hidden, above or below: it is
+    where it is expected, as far as what is seen can be a part of it there.
+    """
+    shape, known_m = estimate.shape, target.shape.height_m
+    grown_m = shape.height_m - known_m
+    if estimate.lying or isinstance(shape, Ball) or abs(grown_m) < _GROWN_M:
         return estimate
-    known_m = target.shape.height_m
-    raised = poses.translation(0.0, 0.0, 0.5 * grown_m) @ estimate.odom_T_object
-    if isinstance(estimate.shape, Box):
-        x, y, _ = estimate.shape.size_m
-        return replace(estimate, odom_T_object=raised, shape=Box((x, y, known_m)))
-    return replace(estimate, odom_T_object=raised, shape=replace(estimate.shape, height_m=known_m))
+    half_m = 0.5 * abs(grown_m)
+    off_m = expected_z_m - float(estimate.odom_T_object[2, 3])
+    up_m = half_m if grown_m > 0.0 else min(max(off_m, -half_m), half_m)
+    moved = poses.translation(0.0, 0.0, up_m) @ estimate.odom_T_object
+    if isinstance(shape, Box):
+        x, y, _ = shape.size_m
+        return replace(estimate, odom_T_object=moved, shape=Box((x, y, known_m)))
+    return replace(estimate, odom_T_object=moved, shape=replace(shape, height_m=known_m))

@@ -68,6 +68,26 @@ def test_what_hangs_with_its_foot_behind_something_is_where_its_top_is(shape):
     assert away_m == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(
+    ("seen_z_m", "expected_z_m", "told_z_m"),
+    [(1.10, 1.08, 1.08), (1.06, 1.08, 1.08), (1.10, 1.02, 1.07), (1.03, 1.10, 1.06)],
+    ids=["its upper part", "its lower part", "too high", "too low"],
+)
+def test_of_what_fingers_hide_a_part_is_where_it_is_expected_as_far_as_that_fits(
+    seen_z_m, expected_z_m, told_z_m
+):
+    seen = replace(sighting(0.5, 0.0, seen_z_m), shape=Cylinder(0.03, 0.05))
+
+    found, away_m = nearest_sighting(
+        TARGET, np.array([0.5, 0.0, expected_z_m]), [seen], PlanningScene(), 0.05
+    )
+
+    assert found.odom_T_object[2, 3] == pytest.approx(told_z_m)
+    assert found.shape == CUP
+    assert away_m == pytest.approx(abs(told_z_m - expected_z_m), abs=1e-9)
+
+
 def test_what_is_about_as_high_as_it_was_is_where_it_is_seen():
     seen = replace(sighting(0.5, 0.0, 0.96), shape=Cylinder(0.03, 0.12))
 
