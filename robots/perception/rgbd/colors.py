@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud
-from robots.perception.rgbd.color_classes import COLOR_NAMES, DEVIATIONS, MEANS
+from robots.perception.rgbd.color_classes import COLOR_NAMES, DEVIATIONS, HUE_PRECISIONS, MEANS
 from robots.perception.rgbd.picture import Colors, Mask
 
 REFERENCE_RGB = (0.62, 0.47, 0.32)
@@ -223,13 +223,17 @@ def name_colors(values: Array) -> tuple[list[str], Array, Array]:
         values: As ``features`` gives them, shape (k, 4).
     """
     off = values[:, None] - MEANS
-    known = np.isfinite(off)
-    scaled = np.where(known, off, 0.0) / DEVIATIONS
-    away = np.square(scaled).sum(axis=2)
-    # of one that is not known each name is as likely as before
-    told = away + 2.0 * (np.where(known, np.log(DEVIATIONS), 0.0)).sum(axis=2)
+    by_hue = np.einsum("kci,cij,kcj->kc", off[..., :2], HUE_PRECISIONS, off[..., :2])
+    known = np.isfinite(off[..., 2:])
+    by_brightness = np.square(np.where(known, off[..., 2:], 0.0) / DEVIATIONS).sum(axis=2)
+    away = by_hue + by_brightness
+    # of a brightness that is not known each name is as likely as before
+    told = away - _LOG_PRECISIONS + 2.0 * np.where(known, np.log(DEVIATIONS), 0.0).sum(axis=2)
     shares = np.exp(-0.5 * (told - told.min(axis=1, keepdims=True)))
     shares /= shares.sum(axis=1, keepdims=True)
     best = told.argmin(axis=1)
     rows = np.arange(len(values))
     return [COLOR_NAMES[i] for i in best], shares[rows, best], away[rows, best]
+
+
+_LOG_PRECISIONS = np.linalg.slogdet(HUE_PRECISIONS)[1]

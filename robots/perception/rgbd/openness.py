@@ -27,6 +27,8 @@ DEEP_M = 0.012
 _BY_WALLS = np.array([(a, b) for a in (-0.75, 0.0, 0.75) for b in (-0.75, 0.0, 0.75) if (a, b) != (0.0, 0.0)])
 _BY_WALLS_SHARE = 0.35
 """Places along the walls of a box, in half edges, at which it is looked into."""
+_RING = 0.8 * np.array([(np.cos(turn), np.sin(turn)) for turn in np.arange(12) * np.pi / 6.0])
+"""The same of a bowl, in radii."""
 _HOLDS_M = 0.05
 """Half the edge of what is wide enough to hold something."""
 
@@ -78,6 +80,24 @@ def _drop(places: Array, ways: Array, inside: Array, deepest: Array) -> Array:
     return drop
 
 
+def is_open_bowl(cloud: Cloud, samples: Samples, rounds: Fit) -> NDArray[np.bool_]:
+    """Whether many rays near the wall of a wide round thing end below its top, whatever is in its middle.
+
+    Args:
+        cloud: The points.
+        samples: What was measured of the things.
+        rounds: They, as cylinders.
+
+    Returns:
+        Shape (k,).
+    """
+    x, y, radius, height = rounds.parameters.T
+    top = np.zeros((len(x), len(_RING), 3))
+    top[..., :2] = np.stack([x, y], axis=-1)[:, None] + radius[:, None, None] * _RING
+    top[..., 2] = height[:, None]
+    return np.asarray(_is_deep(cloud, samples, top) & (radius > _HOLDS_M))
+
+
 def is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_]:
     """Whether many rays along the walls of a wide box end below its top, whatever is in its middle.
 
@@ -100,12 +120,17 @@ def is_open_box(cloud: Cloud, samples: Samples, boxes: Fit) -> NDArray[np.bool_]
         ],
         axis=-1,
     )
+    return np.asarray(_is_deep(cloud, samples, top) & (np.minimum(a, b) > _HOLDS_M))
+
+
+def _is_deep(cloud: Cloud, samples: Samples, top: Array) -> NDArray[np.bool_]:
+    """Whether rays go on at many of some places at the top of each thing, shape (k, n, 3)."""
     u, v, within = _pixels(cloud, top - samples.eye[:, None])
     there = within & (cloud.depth_m[v, u] > 0.0)
     below = samples.origin[:, 2, None] + top[..., 2] - cloud.z[v, u]
     deep = there & (below > np.maximum(DEEP_M, 4.0 * cloud.sigma_m[v, u]))
     share = deep.sum(axis=1) / np.maximum(there.sum(axis=1), 6)
-    return np.asarray((share > _BY_WALLS_SHARE) & (np.minimum(a, b) > _HOLDS_M))
+    return np.asarray(share > _BY_WALLS_SHARE)
 
 
 def _pixels(cloud: Cloud, ways: Array) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, InFloat64
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.perception.rgbd.cloud import Cloud
-from robots.perception.rgbd.openness import DEEP_M, is_open_box, odds_of_open
+from robots.perception.rgbd.openness import DEEP_M, is_open_bowl, is_open_box, odds_of_open
 from robots.perception.rgbd.samples import Samples
 from robots.perception.rgbd.solids import (
     Fit,
@@ -28,6 +28,8 @@ _ROOM_M, _WITHIN_SHARE = 0.005, 0.7
 _HOLDS_M = 0.05
 Form = Literal["cylinder", "beaker", "box", "crate", "ball"]
 """A beaker is a cylinder that is open at the top, a crate a box that is."""
+_BOWL_ODDS = 4.0
+"""Logarithm of the odds that what is deep along its wall is open."""
 _HOLLOW_SHARE = 0.10
 """A box of whose points more are deep inside it is open."""
 _WIDEST_OF_VISIBLE = 1.25, 0.003
@@ -87,6 +89,8 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     outside = samples.weight * visible_side(samples, view.middle, view.height)
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
     open_odds = odds_of_open(cloud, samples, rounds)
+    rounds, bowl = _without_inside_of_bowls(cloud, replace(samples, weight=outside), rounds)
+    open_odds = np.where(bowl, np.maximum(open_odds, _BOWL_ODDS), open_odds)
     beaker = open_odds > 0.0
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
     boxes, crate = _without_insides(cloud, samples, boxes, view)
@@ -136,20 +140,32 @@ def _without_insides(
             break
         outside = np.where(crate[:, None], samples.weight * ~deep, samples.weight)
         again = fit(replace(samples, weight=outside), boxes.parameters, box_distance, slice(3, 6), (3, 4))
-        boxes = Fit(
-            *(
-                np.where(crate.reshape(-1, *[1] * (now.ndim - 1)), then, now)
-                for then, now in (
-                    (again.parameters, boxes.parameters),
-                    (again.covariance, boxes.covariance),
-                    (again.score, boxes.score),
-                    (again.points_m, boxes.points_m),
-                )
-            )
-        )
+        boxes = _where(crate, again, boxes)
     # a rim is too thin for a fit; the highest points are its own
     boxes.parameters[crate, 5] = view.height[crate]
     return boxes, crate
+
+
+def _without_inside_of_bowls(cloud: Cloud, samples: Samples, rounds: Fit) -> tuple[Fit, NDArray[np.bool_]]:
+    """The round things, with wide open ones fitted to their outside alone, and which these are."""
+    bowl = is_open_bowl(cloud, samples, rounds)
+    if not bowl.any():
+        return rounds, bowl
+    on, _ = cylinder_distance(samples.points, rounds.parameters, False)
+    outside = np.where(bowl[:, None], samples.weight * ~(on < -DEEP_M), samples.weight)
+    again = fit(replace(samples, weight=outside), rounds.parameters, cylinder_distance, slice(2, 4))
+    return _where(bowl, again, rounds), bowl
+
+
+def _where(which: NDArray[np.bool_], then: Fit, now: Fit) -> Fit:
+    """One fit of some things, the other of the rest."""
+    pairs = (
+        (then.parameters, now.parameters),
+        (then.covariance, now.covariance),
+        (then.score, now.score),
+        (then.points_m, now.points_m),
+    )
+    return Fit(*(np.where(which.reshape(-1, *[1] * (b.ndim - 1)), a, b) for a, b in pairs))
 
 
 @dataclass(frozen=True, slots=True)

@@ -210,5 +210,5 @@ def _with_what_looks_told(toolbox: Toolbox, update: SceneUpdate) -> SceneUpdate:
             traits = toolbox.world.note_person(name, estimate.traits)
             if traits != estimate.traits:
                 seen[name] = replace(estimate, traits=traits)
-                scene = scene.with_objects([scene_object(name, seen[name], toolbox.policy)])
+                scene = scene.with_object(scene_object(name, seen[name], toolbox.policy))
     return SceneUpdate(scene, seen)

@@ -10,6 +10,7 @@ from robots.perception.rgbd.eyes import Eyes, as_frame
 from robots.scenes.scene_description import Furniture
 
 RED, BLUE, GREEN = (217, 26, 20), (31, 77, 204), (38, 153, 51)
+WHITE = (240, 240, 240)
 TABLE_M = 0.8
 
 
@@ -116,6 +117,19 @@ def test_what_is_open_at_the_top_is_a_cup_however_narrow(take, beaker, radius_m,
 
     (thing,) = seen.things
     assert (thing.solid.form, thing.call.kind, thing.call.alike) == ("beaker", "cup", ())
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("aside_m", [0.0, -0.03])
+def test_what_stands_in_a_bowl_is_seen_with_the_bowl(take, beaker, aside_m):
+    low = poses.transform(_camera()[:3, :3], (0.2, 0.0, 1.3))
+    bowl = (beaker(0.095, 0.064, wall_m=0.006), 0.6, 0.0, 0.0, WHITE)
+    can = (Cylinder(0.0375, 0.115), 0.6 + aside_m, aside_m, 0.0, RED)
+
+    seen = Eyes().look(take([bowl, can], place=low))
+
+    told = sorted((thing.color, thing.call.kind) for thing in seen.things)
+    assert told == [("red", "can"), ("white", "bowl")]
 
 
 def test_a_top_that_came_back_nowhere_may_be_open_or_not(take):
