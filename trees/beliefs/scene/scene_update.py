@@ -20,6 +20,8 @@ SURE = 0.6
 """A sighting with less confidence does not do away with what is known."""
 _STACKED = 0.4
 """Of both heights: middles farther apart than this are one above the other."""
+_OVERLAP = 0.85
+"""Two things whose middles are nearer than this share of both half widths would reach into each other."""
 _WITHIN_M = 0.01
 _HOLDS, _HOLDS_M = 1.0, 0.05
 """What is wider than this share of a thing, and so much more, could hold it."""
@@ -194,10 +196,20 @@ def _match(
     matched: dict[str, ObjectEstimate] = {}
     used: set[int] = set()
     for distance, name, i in pairs:
-        if distance <= within_m and name not in matched and i not in used:
+        if name in matched or i in used:
+            continue
+        if distance <= within_m or (known[name].movable and _overlap(known[name], fresh[i])):
             matched[name] = fresh[i]
             used.add(i)
     return matched
+
+
+def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
+    """Whether two things, there and here, would reach into each other: so it is one, seen wrongly."""
+    away = item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]
+    least_m = 0.5 * _OVERLAP * (_width_m(item.shape) + _width_m(estimate.shape))
+    stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
+    return not stacked and float(np.hypot(away[0], away[1])) < least_m
 
 
 def _free_name(words: str, taken: set[str]) -> str:

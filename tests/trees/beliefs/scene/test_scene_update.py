@@ -25,8 +25,8 @@ def seen_table(at=(0.65, 0.0, 0.88), size=(0.6, 1.2, 0.04)):
     return seen("table", None, at, Box(size), "furniture")
 
 
-def look(scene, *estimates, unseen=lambda point: False):
-    return updated_scene(scene, estimates, POLICY, unseen)
+def look(scene, *estimates, unseen=lambda point: False, may_have_moved=True):
+    return updated_scene(scene, estimates, POLICY, unseen, may_have_moved)
 
 
 def test_things_are_named_by_colour_and_kind_and_numbered():
@@ -244,6 +244,25 @@ def test_a_side_of_a_box_that_the_picture_cuts_off_is_no_second_box():
 
     assert not update.seen
     assert update.scene.objects["brown box"].shape == box.shape
+
+
+@pytest.mark.requirement("P2")
+def test_a_wide_box_that_is_seen_to_be_elsewhere_within_itself_is_one_box():
+    narrow = seen("box", "brown", at=(0.57, 0.01, 0.94), shape=Box((0.17, 0.08, 0.09)))
+    wide = seen("box", "brown", at=(0.55, -0.055, 0.94), shape=Box((0.17, 0.13, 0.09)))
+
+    scene = look(look(PlanningScene(), narrow).scene, wide, may_have_moved=False).scene
+
+    assert set(scene.objects) == {"brown box"}
+
+
+def test_boxes_on_top_of_each_other_are_two():
+    low = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.17, 0.09)))
+    high = seen("box", "brown", at=(0.5, 0.0, 1.03), shape=Box((0.17, 0.17, 0.09)))
+
+    scene = look(look(PlanningScene(), low).scene, low, high, may_have_moved=False).scene
+
+    assert set(scene.objects) == {"brown box", "brown box 2"}
 
 
 @pytest.mark.requirement("P2")
