@@ -14,6 +14,7 @@ from executive.cli.commands import (
     chat,
     check,
     doctor,
+    export,
     jog,
     learn,
     list_,
@@ -93,6 +94,7 @@ app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
 app.command("check")(check.check)
 app.command("replay")(replay.replay)
+app.command("export")(export.export)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("learn")(learn.learn)

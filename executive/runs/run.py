@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -85,6 +85,7 @@ def perform(
     cancellation: Cancellation | None = None,
     heeds_signals: bool = True,
     on_assembly: Callable[[Assembly], None] = lambda _assembly: None,
+    on_record: Callable[[Path, Mapping[str, Any]], None] = lambda _folder, _header: None,
 ) -> Performance:
     """Carry a request out.
 
@@ -101,6 +102,8 @@ def perform(
             before there is a robot.
         heeds_signals: Whether signals to end are this run's; where not, they end the program.
         on_assembly: Called with the robot and its session before the first task.
+        on_record: Called with the folder of the recorded run, and what its ``run.json`` says, before anything
+            else happens.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -110,7 +113,7 @@ def perform(
     """
     ending = _Ending(cancellation or Cancellation())
     with taken_by(ending.take) if heeds_signals else nullcontext(), spoken_in(request.scene):
-        return _performed(request, display, attendant or Nobody(), on_event, ending, on_assembly)
+        return _performed(request, display, attendant or Nobody(), on_event, ending, on_assembly, on_record)
 
 
 def _performed(
@@ -120,6 +123,7 @@ def _performed(
     on_event: Callable[[Event], None] | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
+    on_record: Callable[[Path, Mapping[str, Any]], None],
 ) -> Performance:
     leave_opengl_to_the_renderer()
     settings = request.settings or robot_settings(config_files())
@@ -131,6 +135,7 @@ def _performed(
     subject = RunSubject(request.input, request.robot, request.scene, request.seed)
     header = {**subject.header(), **_header(request)}
     with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
+        on_record(log.path, header)
         account = RunAccount(subject, log, display.event, *([] if on_event is None else [on_event]))
         keep = log if request.keep_trajectories else None
         results, checked, silences = _results(

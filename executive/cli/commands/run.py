@@ -41,6 +41,7 @@ from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
     from executive.dialogue.attendant import Attendant
+    from executive.doors.recorder.feed import RunFeed
     from executive.screens.display import Display
     from robots.perception.labels.asking import AskAboutPictures
 
@@ -65,7 +66,7 @@ def run(
     snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
     video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,
     record: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
+        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories and motion too.")
     ] = None,
     junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
     on_question: OnQuestionOption = OnQuestionChoice.ASK,
@@ -162,14 +163,36 @@ def run(
             terminal.enter_context(asker)
         display, attendant = _terminal(request, quiet, plain, terminal, lambda: cancellation.asked)
         note_folder(request.record)
+        recorded = _recorded(display) if record is not None else None
+        display = recorded or display
         try:
-            performance = perform(request, display, attendant, cancellation=cancellation)
+            performance = perform(
+                request,
+                display,
+                attendant,
+                cancellation=cancellation,
+                on_assembly=lambda assembly: recorded.begin(assembly) if recorded else None,
+                on_record=lambda folder, header: recorded.record(folder, header) if recorded else None,
+            )
         finally:
             display.close()
     for complaint in performance.complaints:
         typer.echo(f"executive: {complaint}", err=True)
     tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
+
+
+def _recorded(display: Display) -> RunFeed | None:
+    """A display that records the motion besides; None where what that needs is missing, and that is said."""
+    from executive.doors.recorder.feed import RunFeed, complaint_without_extra
+
+    def complain(line: str) -> None:
+        typer.echo(f"executive: {line}", err=True)
+
+    if (missing := complaint_without_extra()) is not None:
+        complain(missing)
+        return None
+    return RunFeed(display, complain)
 
 
 def _seeing_model() -> AskAboutPictures | None:

@@ -51,7 +51,9 @@ def serve(
     seed: Annotated[
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
     ] = 0,
-    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Record the runs here, their motion too.")
+    ] = None,
     pace: ServedPaceOption = REAL_PACE,
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
@@ -91,6 +93,7 @@ def serve(
     doors = {
         "the ROS bridge": _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else [],
         "the page": _page(where, view_port) if view else [],
+        "the recorder": _recorder(where) if record is not None else [],
     }
     use_config(config)
 
@@ -158,3 +161,13 @@ def _page(folder: Path, port: int) -> list[str]:
 
     require_extra("view", "viser", "trimesh")
     return [sys.executable, "-m", "executive.doors.view.view_process", str(folder), str(port)]
+
+
+def _recorder(folder: Path) -> list[str]:
+    """How what records motion is started; nothing, and that is said, where it is not installed."""
+    from executive.doors.recorder.feed import complaint_without_extra
+
+    if (missing := complaint_without_extra()) is not None:
+        typer.echo(f"executive: {missing}", err=True)
+        return []
+    return [sys.executable, "-m", "executive.doors.recorder.served_recorder", str(folder)]

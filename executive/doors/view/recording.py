@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from executive.doors.recorder.feed import report_of
 from executive.doors.view.seen import LogLine, log_line
 from executive.live.told_as_json import tree_json
 from executive.live.world_as_json import world_json
@@ -157,16 +158,7 @@ class _Keeper:
         if assembly is None or (t_s := assembly.clock.now_s()) < self._due_s:
             return
         self._due_s = t_s + MOMENT_EVERY_S
-        loop, before = assembly.loop, self._recording.moments
-        report = RobotReport(
-            t_s=t_s,
-            resting=loop.motion.resting and not loop.walking.active,
-            walking=loop.walking.active,
-            sensed=loop.sensing.state(),
-            reference=loop.motion.reference(),
-            stance=loop.motion.stance(),
-            grippers={hand: gripper.reading() for hand, gripper in loop.grippers.items()},
-        )
+        before, report = self._recording.moments, report_of(assembly.loop, t_s)
         nodes: Sequence[Mapping[str, Any]] = before[-1].nodes if before else ()
         if self._tree is not None:
             told = tree_json(self._tree.snapshot(t_s).root)

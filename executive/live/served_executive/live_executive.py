@@ -216,6 +216,7 @@ class LiveExecutive:
         subject = RunSubject(name_of(said), str(about["robot"]), str(about["scene"]), int(about["seed"]))
         try:
             with RunLog(self._record, {**subject.header(), "live": True}) as log:
+                self._desk.watchers.run_begins(str(log.path))
                 self._account = account = RunAccount(subject, log, display.event)
                 lost: ControlLostError | None = None
                 results: list[Said] = []
@@ -238,6 +239,7 @@ class LiveExecutive:
             raise
         finally:
             self._tell_tree(last=True)
+            self._desk.watchers.run_ended()
             self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False

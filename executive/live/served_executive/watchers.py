@@ -1,4 +1,4 @@
-"""Who watches the executive: told of each event, and of the tree as it changes.
+"""Who watches the executive: told of each event, of the tree as it changes, and where a run is recorded.
 
 Nothing is made for them while nobody watches.
 """
@@ -34,12 +34,30 @@ class Watchers:
         self.connections: list[Connection] = []
         self._told_s = -math.inf
         self._nodes: Sequence[Mapping[str, Any]] = ()
+        self._run = ""
 
     def add(self, connection: Connection) -> None:
-        """One more watches; the newest state of the tree is told to it at once."""
+        """One more watches; the run under way and the newest state of the tree are told to it at once."""
         if connection not in self.connections:
             self.connections.append(connection)
+        if self._run:
+            connection.send(write_message("run", path=self._run, under_way=True))
         self._told_s, self._nodes = -math.inf, ()
+
+    def run_begins(self, path: str) -> None:
+        """Tell that a run begins.
+
+        Args:
+            path: The folder where it is recorded.
+        """
+        self._run = path
+        self._tell(write_message("run", path=path, under_way=True))
+
+    def run_ended(self) -> None:
+        """Tell that it has ended, where one was under way."""
+        if self._run:
+            self._tell(write_message("run", path=self._run, under_way=False))
+            self._run = ""
 
     def remove(self, connection: Connection) -> None:
         """It watches no more."""
