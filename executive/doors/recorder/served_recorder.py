@@ -77,6 +77,9 @@ class ServedRecorder:
                 self._close()
             self._wall.sleep(_POLL_S)
         self._close()
+        for caller in (self._executive, self._control):
+            if caller is not None:
+                caller.close()
 
     def _served(self) -> Mapping[str, Any]:
         """What the control process tells of itself, once it is there."""
