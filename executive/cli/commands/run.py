@@ -11,10 +11,13 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from executive.cli.commands.choices import (
+    GROOT_PORT,
     LOOPBACK,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
+    GrootOption,
+    GrootPortOption,
     ModelOption,
     OnQuestionChoice,
     OnQuestionOption,
@@ -76,7 +79,7 @@ def run(
         PaceChoice | None,
         typer.Option(
             help="As fast as the machine computes, or as time passes.",
-            show_default="fast; with --ros or --view as time passes",
+            show_default="fast; with --ros, --view or --groot as time passes",
         ),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
@@ -92,6 +95,8 @@ def run(
     ros_interface: RosInterfaceOption = LOOPBACK,
     view: ViewOption = False,
     view_port: ViewPortOption = VIEW_PORT,
+    groot: GrootOption = False,
+    groot_port: GrootPortOption = GROOT_PORT,
 ) -> None:
     """Carry out one sentence, or a task script."""
     from executive.checks.machine import compile_kernel
@@ -103,7 +108,7 @@ def run(
     use_config(config)
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust, scene)
-    doors = ["--ros"] * ros + ["--view"] * view
+    doors = ["--ros"] * ros + ["--view"] * view + ["--groot"] * groot
     if doors:
         asked = None if on_question is OnQuestionChoice.ASK else on_question
         _refuse_with(
@@ -129,8 +134,10 @@ def run(
             "ros-namespace": ros_namespace,
             "ros-interface": ros_interface,
             "view-port": view_port,
+            "groot-port": groot_port,
         }
-        _run_served(text, [*options_of(served), *doors, *(["--yes"] if yes else [])], len(doors), quiet)
+        listeners = ros + view
+        _run_served(text, [*options_of(served), *doors, *(["--yes"] if yes else [])], listeners, quiet)
     asker, front = None, None
     if model is not None:
         from executive.doors.model.front_model import front_model

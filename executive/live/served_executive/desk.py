@@ -17,6 +17,7 @@ from executive.live.desk_messages import (
     DeskMessage,
     FollowTrajectory,
     GetScene,
+    GetTree,
     GetWorld,
     HandBack,
     Jog,
@@ -128,6 +129,10 @@ class Attended(Protocol):
 
     def world(self) -> Mapping[str, Any]:
         """What is believed of the world, solids with their poses and errors, as JSON values."""
+        ...
+
+    def tree_document(self) -> Mapping[str, Any]:
+        """Write the tree under way, or the last one, into a file: its number, and where it is."""
         ...
 
     def take_over(self) -> None:
@@ -255,6 +260,8 @@ class Desk:
                 connection.send(write_message("scene", things=list(self._attended.scene())))
             case GetWorld():
                 connection.send(write_message("world", **self._attended.world()))
+            case GetTree():
+                connection.send(write_message("tree_document", **self._attended.tree_document()))
             case Watch():
                 self.watchers.add(connection)
                 connection.send(write_message("done"))
