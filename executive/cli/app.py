@@ -14,7 +14,6 @@ from executive.cli.commands import (
     chat,
     check,
     doctor,
-    export,
     jog,
     learn,
     list_,
@@ -94,7 +93,7 @@ app.command("parse")(parse.parse)
 app.command("tree")(tree.tree)
 app.command("check")(check.check)
 app.command("replay")(replay.replay)
-app.command("export")(export.export)
+app.command("export")(runs.export)
 app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("learn")(learn.learn)

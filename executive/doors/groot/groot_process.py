@@ -106,7 +106,8 @@ class Monitor:
         elif message["type"] == "tree_document" and message["path"]:
             document = read_whole(Path(str(message["path"])))
             if document is not None:
-                self._tree, self._number = MonitoredTree(document.decode()), int(message["number"])
+                self._number = int(message["number"])
+                self._tree = MonitoredTree(document.decode(), self._number)
                 self._tree.take(self._statuses, utc_ns() // 1000)
 
 

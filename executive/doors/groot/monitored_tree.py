@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import secrets
+import hashlib
 import struct
 from collections import deque
 from collections.abc import Mapping, Sequence
@@ -22,6 +22,7 @@ class MonitoredTree:
 
     Args:
         document: Of BehaviorTree.CPP 4, with one tree; see ``trees.btcpp.writer``.
+        number: Of the tree; one that is begun again has another number.
 
     Attributes:
         id: Sixteen bytes that no other tree has.
@@ -30,10 +31,11 @@ class MonitoredTree:
         said: What nodes have to say, by their names.
     """
 
-    def __init__(self, document: str = NO_TREE) -> None:
+    def __init__(self, document: str = NO_TREE, number: int = 0) -> None:
         root = ElementTree.fromstring(document)
         tree = root.find("BehaviorTree")
-        self.id, self.name = secrets.token_bytes(16), "" if tree is None else tree.get("ID", "")
+        self.id = hashlib.blake2b(f"{number} {document}".encode(), digest_size=16).digest()
+        self.name = "" if tree is None else tree.get("ID", "")
         self.said: Mapping[str, str] = {}
         self._count = 0
         if tree is not None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from executive.doors.recorder.feed import RunFeed
 from executive.doors.recorder.mend import mend
-from executive.doors.recorder.parts import next_part, parts_of
+from executive.doors.recorder.parts import MotionParts
 from executive.errors import NotWritableError, UserError
 from executive.runs.replay import replay
 from executive.runs.run_log import RecordedRun
@@ -36,7 +36,7 @@ def export(run: RecordedRun, tell: Callable[[str], None]) -> list[Path]:
         UnreadableRecordingError: What is there is no recording.
         NotWritableError: Its folder cannot be written.
     """
-    parts = parts_of(run.path)
+    parts = MotionParts(run.path).all()
     try:
         for part in parts:
             if mend(part):
@@ -52,7 +52,7 @@ def _made(run: RecordedRun, tell: Callable[[str], None]) -> Path:
             f"run {run.name} was carried out live, and its motion was not recorded: "
             "`executive serve --record DIR` does that; its events are in events.jsonl"
         )
-    path, complaints = next_part(run.path), list[str]()
+    path, complaints = MotionParts(run.path).next(), list[str]()
     making = path.with_name(f".{path.name}.making")
     making.unlink(missing_ok=True)
     feed = RunFeed(NoDisplay(), complaints.append)

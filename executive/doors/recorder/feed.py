@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from executive.doors.companion import MissingExtraError, require_extra
-from executive.doors.recorder.parts import next_part
+from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.told_apart import EVENT, TREE, WORLD, json_frame, state_frame
 from executive.live.told_as_json import tree_json
 from executive.live.world_as_json import world_json
@@ -68,7 +68,7 @@ class RunFeed:
 
     def record(self, folder: Path, header: Mapping[str, Any]) -> None:
         """Begin to record in the folder of a run."""
-        self.open(next_part(folder), header)
+        self.open(MotionParts(folder).next(), header)
 
     def open(self, path: Path, header: Mapping[str, Any], zero_ns: int = 0) -> None:
         """Begin to record.

@@ -6,10 +6,9 @@ from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 
-from cyclonedds.idl import IdlStruct
 from mcap.writer import CompressionType, Writer
 
-from executive.doors.recorder.definitions import definition_of
+from executive.doors.ros.definitions import Message, definition_of
 
 ABOUT = "executive"
 """Name of the metadata that tell whose run it is."""
@@ -39,7 +38,7 @@ class McapLog:
         self._channels: dict[str, int] = {}
         self._counts: Counter[str] = Counter()
 
-    def write(self, topic: str, message: IdlStruct, at_ns: int) -> None:
+    def write(self, topic: str, message: Message, at_ns: int) -> None:
         """Write a message; each chunk that is full is handed to the operating system.
 
         Args:
@@ -68,7 +67,7 @@ class McapLog:
         with self._file:
             self._writer.finish()  # type: ignore[no-untyped-call]
 
-    def _channel(self, topic: str, kind: type[IdlStruct]) -> int:
+    def _channel(self, topic: str, kind: type[Message]) -> int:
         name, text = definition_of(kind)
         if name not in self._schemas:
             self._schemas[name] = self._writer.register_schema(name, "ros2msg", text.encode())

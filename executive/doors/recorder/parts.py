@@ -8,16 +8,25 @@ SUFFIX = ".mcap"
 _FIRST = "motion"
 
 
-def parts_of(folder: Path) -> list[Path]:
-    """The files of a run's folder, the oldest first; none where its motion was not recorded."""
-    return sorted(folder.glob(f"{_FIRST}*{SUFFIX}"), key=_number)
+class MotionParts:
+    """The files of a run's folder.
 
+    Args:
+        folder: Of the run.
+    """
 
-def next_part(folder: Path) -> Path:
-    """Where the next file of a run goes."""
-    parts = parts_of(folder)
-    number = _number(parts[-1]) + 1 if parts else 1
-    return folder / (f"{_FIRST}{SUFFIX}" if number == 1 else f"{_FIRST}_{number}{SUFFIX}")
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def all(self) -> list[Path]:
+        """Those that are there, the oldest first; none where the run's motion was not recorded."""
+        return sorted(self._folder.glob(f"{_FIRST}*{SUFFIX}"), key=_number)
+
+    def next(self) -> Path:
+        """Where the next one goes."""
+        there = self.all()
+        number = _number(there[-1]) + 1 if there else 1
+        return self._folder / (f"{_FIRST}{SUFFIX}" if number == 1 else f"{_FIRST}_{number}{SUFFIX}")
 
 
 def _number(path: Path) -> int:

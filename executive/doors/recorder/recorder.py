@@ -18,7 +18,10 @@ from PIL import Image as Pictures
 
 from executive.doors.recorder.believed import believed
 from executive.doors.recorder.mcap_log import McapLog
-from executive.doors.recorder.own_messages import (
+from executive.doors.ros.camera import camera_info
+from executive.doors.ros.messages import Header, String, Time
+from executive.doors.ros.publishing import StateMessages, diagnostics
+from executive.doors.ros.recorded_messages import (
     INFO,
     WARNING,
     CompressedImage,
@@ -27,9 +30,6 @@ from executive.doors.recorder.own_messages import (
     MultiArrayDimension,
     MultiArrayLayout,
 )
-from executive.doors.ros.camera import camera_info
-from executive.doors.ros.messages import Header, String, Time
-from executive.doors.ros.publishing import StateMessages, diagnostics
 from kinematics.arrays import Array
 from kinematics.model.robot_model import RobotModel
 from robots.clock import utc_ns

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from executive.doors.recorder.mend import mend
-from executive.doors.recorder.parts import next_part, parts_of
+from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.recorder import Recorder
 from executive.ending_signals import taken_by
 from executive.live.caller.caller import Caller, ask_at
@@ -151,10 +151,10 @@ class ServedRecorder:
             return
         self._close()
         folder = Path(path)
-        for part in parts_of(folder):
+        for part in MotionParts(folder).all():
             mend(part)
         about = {key: str(self._about.get(key, "")) for key in ("robot", "scene", "seed")}
-        self._recorder = Recorder(next_part(folder), self._model, {**about, "run": folder.name})
+        self._recorder = Recorder(MotionParts(folder).next(), self._model, {**about, "run": folder.name})
         self._until_s = float("inf")
         if self._sees:
             self._pictures.want(True)

@@ -12,10 +12,10 @@ from mcap.records import Channel, Message, Metadata
 
 from executive.doors.recorder.mcap_log import ABOUT
 from executive.doors.recorder.mend import UnreadableRecordingError, records
-from executive.doors.recorder.own_messages import Float64MultiArray
-from executive.doors.recorder.parts import parts_of
+from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.recorder import EVENTS, STATE, TREE, WORLD
 from executive.doors.ros.messages import String
+from executive.doors.ros.recorded_messages import Float64MultiArray
 from executive.doors.view.recording import Moment, Recording
 from executive.doors.view.seen import log_line
 from executive.runs.run_log import RecordedRun
@@ -35,7 +35,7 @@ def recording_of(run: RecordedRun) -> Recording:
     Raises:
         UnreadableRecordingError: It does not, or a file of it cannot be read.
     """
-    parts = parts_of(run.path)
+    parts = MotionParts(run.path).all()
     if not parts:
         raise UnreadableRecordingError(run.path, "there is no recorded motion")
     return _read(Recording(run), parts)

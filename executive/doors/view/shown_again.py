@@ -7,7 +7,7 @@ from pathlib import Path
 from types import ModuleType
 
 from executive.doors.companion import require_extra
-from executive.doors.recorder.parts import SUFFIX, parts_of
+from executive.doors.recorder.parts import SUFFIX, MotionParts
 from executive.doors.view.access import HERE, Access, new_token
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, recorded_again
@@ -49,7 +49,7 @@ def _recording(name: str, record: Path | None, tell: Callable[[str], None]) -> t
     if Path(name).suffix == SUFFIX:
         return _motion_read().recording_in(Path(name)), True
     run = find_run(name, record)
-    if parts_of(run.path):
+    if MotionParts(run.path).all():
         try:
             return _motion_read().recording_of(run), True
         except UserError as unreadable:

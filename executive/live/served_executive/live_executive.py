@@ -29,7 +29,6 @@ from executive.live.served_executive.desk import Desk, Order, name_of, question_
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.given_trajectory import load_joint_motion
 from executive.live.served_executive.live_attendant import LiveAttendant
-from executive.live.served_executive.tree_file import TreeFile
 from executive.live.told_as_json import scene_json, tree_json
 from executive.live.world_as_json import world_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
@@ -110,7 +109,6 @@ class LiveExecutive:
         self._account: RunAccount | None = None
         self._display: PlainDisplay | None = None
         self._tree: TaskTree | None = None
-        self._tree_file = TreeFile(folder.tree_document)
         self._last_tree: Sequence[Mapping[str, Any]] | None = None
         self._desk = Desk(folder.executive_socket, self, _is_stop)
         link.listen(self._note)
@@ -207,10 +205,6 @@ class LiveExecutive:
     def world(self) -> Mapping[str, Any]:
         """What is believed of the world, as JSON values."""
         return world_json(self._session.toolbox.world)
-
-    def tree_document(self) -> Mapping[str, Any]:
-        """Write the tree under way, or the last one, into a file: its number, and where it is."""
-        return self._tree_file.written()
 
     # ---------------------------------------------------------------- an order
 
@@ -365,7 +359,7 @@ class LiveExecutive:
 
     def _show(self, tree: TaskTree) -> None:
         self._tree = tree
-        self._tree_file.note(tree)
+        self._desk.trees.note(tree)
         self._tell_tree()
         if self._display is not None:
             self._display.tick(tree)
@@ -374,7 +368,7 @@ class LiveExecutive:
         """Let those who watch see the tree as it stands."""
         if (tree := self._tree) is not None:
             now_s = self._link.now_s
-            self._desk.watchers.tree(lambda: tree.snapshot(now_s), now_s, last, self._tree_file.number)
+            self._desk.watchers.tree(lambda: tree.snapshot(now_s), now_s, last, self._desk.trees.number)
 
 
 class _LineStream:

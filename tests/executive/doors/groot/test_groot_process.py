@@ -39,7 +39,7 @@ def ask(port, letter, *more):
 @pytest.fixture
 def port(served, tmp_path):
     write_whole(tmp_path / "tree.xml", DOCUMENT.encode())
-    served.tree_document = lambda: {"number": 4, "path": str(tmp_path / "tree.xml")}
+    served.trees.written = lambda: {"number": 4, "path": str(tmp_path / "tree.xml")}
     number, over = next(_PORT), threading.Event()
     monitor = Monitor(served.folder.path, number)
     thread = threading.Thread(target=monitor.run, args=(over.is_set,))

@@ -153,7 +153,8 @@ def test_hooks_are_refused(letter, ours):
 
 
 def test_another_tree_has_another_id(ours):
-    assert MonitoredTree(DOCUMENT).id != ours.id
+    assert MonitoredTree(DOCUMENT, 1).id != ours.id
+    assert MonitoredTree(DOCUMENT.replace("do", "try")).id != ours.id
 
 
 def test_what_nodes_say_stands_on_the_blackboard(ours):

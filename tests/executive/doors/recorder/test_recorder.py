@@ -14,7 +14,7 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 from executive.doors.recorder.mend import UnreadableRecordingError, mend, records
-from executive.doors.recorder.parts import next_part, parts_of
+from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.recorder import Recorder
 from executive.doors.recorder.told_apart import EVENT, json_frame, state_frame
 from executive.doors.view.motion_read import recording_in, recording_of
@@ -148,14 +148,14 @@ def test_what_is_no_recording_is_said_to_be_none(tmp_path):
 
 
 def test_parts_of_a_run_are_read_one_after_the_other(model, recorded, tmp_path):
-    first, second = next_part(tmp_path), None
+    first, second = MotionParts(tmp_path).next(), None
     first.write_bytes(recorded.read_bytes()[:30_000])
-    second = next_part(tmp_path)
+    second = MotionParts(tmp_path).next()
     recorder = Recorder(second, model, ABOUT)
     recorder.state(row_at(model, 5.0))
     recorder.close()
 
-    assert parts_of(tmp_path) == [first, second]
+    assert MotionParts(tmp_path).all() == [first, second]
     assert recording_of(RecordedRun(tmp_path, ABOUT, {})).ends_s == 5.0
 
 

@@ -17,6 +17,10 @@ _BYTES = frozenset({("diagnostic_msgs/DiagnosticStatus", "level")})
 """Fields that ROS calls ``byte`` and the wire does not tell from ``uint8``."""
 
 
+Message = IdlStruct
+"""Any message of ROS 2."""
+
+
 @cache
 def definition_of(kind: type[IdlStruct]) -> tuple[str, str]:
     """Name and definition of a message, with the definitions of what is in it below.

@@ -4,14 +4,13 @@ import pytest
 from cyclonedds.idl import IdlStruct
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-from executive.doors.recorder import own_messages
-from executive.doors.recorder.definitions import definition_of
-from executive.doors.ros import camera_messages, messages
+from executive.doors.ros import camera_messages, messages, recorded_messages
+from executive.doors.ros.definitions import definition_of
 from executive.doors.ros.type_hashes import TYPE_HASHES
 
 KINDS = {
     name: kind
-    for module in (messages, camera_messages, own_messages)
+    for module in (messages, camera_messages, recorded_messages)
     for name, kind in vars(module).items()
     if isinstance(kind, type) and issubclass(kind, IdlStruct) and kind is not IdlStruct
     if not kind.__idl_typename__.startswith(
