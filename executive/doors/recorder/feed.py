@@ -20,11 +20,11 @@ from executive.doors.companion import MissingExtraError, require_extra
 from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.told_apart import EVENT, TREE, WORLD, json_frame, state_frame
 from executive.live.told_as_json import tree_json
-from executive.live.world_as_json import world_json
+from executive.live.world_as_json import paths_json, world_json
 from executive.reports.feedback import line_for
 from executive.screens.display import Display
 from executive.session.events import Event, event_json
-from robots.live.documents.robot_report import ReportLayout, RobotReport
+from robots.live.documents.robot_report import ReportLayout, RobotReport, landings_of
 
 if TYPE_CHECKING:
     from executive.session.assembly import Assembly
@@ -136,9 +136,11 @@ class RunFeed:
         self._state_due_s = t_s + _STATE_EVERY_S
         self._tell(state_frame(layout.row(report_of(assembly.loop, t_s))))
         world = assembly.session.toolbox.world
-        if (now := (world.scene.version, world.sightings)) != self._seen_of:
+        planned = assembly.loop.motion.planned
+        if (now := (world.scene.version, world.sightings, id(planned))) != self._seen_of:
             self._seen_of = now
-            self._tell(json_frame(WORLD, {"t_s": t_s, "world": world_json(world)}))
+            believed = world_json(world, paths_json(assembly.model, planned))
+            self._tell(json_frame(WORLD, {"t_s": t_s, "world": believed}))
         if self._tree is not None and t_s >= self._tree_due_s:
             self._tree_due_s = t_s + _TREE_EVERY_S
             self._tell(json_frame(TREE, {"t_s": t_s, "nodes": tree_json(self._tree.snapshot(t_s).root)}))
@@ -174,4 +176,5 @@ def report_of(loop: ControlLoop, t_s: float) -> RobotReport:
         reference=loop.motion.reference(),
         stance=loop.motion.stance(),
         grippers={hand: gripper.reading() for hand, gripper in loop.grippers.items()},
+        landings=landings_of(loop.walking.landings),
     )

@@ -142,7 +142,7 @@ class ServedRecorder:
             case "tree":
                 recorder.tree(float(message["t_s"]), message["nodes"])
             case "world":
-                recorder.world(self._t_s, {key: message[key] for key in ("version", "things")})
+                recorder.world(self._t_s, {key: one for key, one in message.items() if key != "type"})
 
     def _turn(self, path: str, under_way: bool) -> None:
         """A run begins or ends."""

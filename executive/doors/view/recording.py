@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from executive.doors.recorder.feed import report_of
 from executive.doors.view.seen import LogLine, log_line
 from executive.live.told_as_json import tree_json
-from executive.live.world_as_json import world_json
+from executive.live.world_as_json import paths_json, world_json
 from executive.reports.feedback import line_for
 from executive.runs.replay import ReplayVerdict, replay
 from executive.runs.run_log import RecordedRun
@@ -168,7 +168,9 @@ class _Keeper:
     def _believed(self, assembly: Assembly) -> Mapping[str, Any]:
         """What is believed; made anew only where it has changed."""
         world = assembly.session.toolbox.world
-        now = (world.scene.version, world.sightings)
+        planned = assembly.loop.motion.planned
+        now = (world.scene.version, world.sightings, id(planned))
         if now != self._seen_of:
-            self._seen_of, self._world = now, world_json(world)
+            self._seen_of = now
+            self._world = world_json(world, paths_json(assembly.model, planned))
         return self._world

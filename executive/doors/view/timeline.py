@@ -12,9 +12,10 @@ import viser
 from executive.doors.view import panels
 from executive.doors.view.balance_drawing import BalanceDrawing, balance_of
 from executive.doors.view.page_server import PageServer
+from executive.doors.view.plan_drawing import PlanDrawing
 from executive.doors.view.recording import Recording
 from executive.doors.view.robot_drawing import RobotDrawing
-from executive.doors.view.seen import Seen, refused_pair
+from executive.doors.view.seen import Seen, refused_pair, refused_place
 from executive.doors.view.viewer import DRAWN_EVERY_S, look_from_the_side, prepare
 from executive.doors.view.world_drawing import WorldDrawing, drawn
 from kinematics.model.robot_model import RobotModel
@@ -69,6 +70,7 @@ class Timeline:
         self._body = RobotDrawing(scene, self._model.description)
         self._world = WorldDrawing(scene)
         self._balance = BalanceDrawing(scene, self._model, self._body)
+        self._plan = PlanDrawing(scene, self._model.description)
         self._told: dict[str, str] = {}
         self._add_panels()
         page.on_client_connect(look_from_the_side)
@@ -106,6 +108,9 @@ class Timeline:
             self._body.move(moment.report.sensed.readings.q, moment.report.sensed.q[:7])
             self._body.mark(marked)
             self._balance.show(balance_of(self._model, moment.report))
+            self._plan.landings(moment.report.landings)
+            self._plan.paths(moment.world.get("paths", ()))
+            self._plan.refused_at(refused_place(seen.failure))
             things = [drawn(one, marked) for one in moment.world["things"]]
             self._world.show(things, {one.held: self._body.path_of(one.held) for one in things if one.held})
             self._tell("status", self._status, panels.status_panel(seen))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -14,8 +15,10 @@ from executive.doors.view.balance_drawing import BalanceDrawing, balance_of
 from executive.doors.view.browser import Browser
 from executive.doors.view.observer import Observer
 from executive.doors.view.page_server import PageServer
+from executive.doors.view.plan_drawing import PlanDrawing
 from executive.doors.view.robot_drawing import RobotDrawing
-from executive.doors.view.seen import refused_pair
+from executive.doors.view.seen import refused_pair, refused_place
+from executive.doors.view.truth_drawing import TruthDrawing
 from executive.doors.view.world_drawing import WorldDrawing, drawn
 from executive.live.caller.caller import ask_at
 from kinematics.model.robot_model import RobotModel
@@ -26,6 +29,7 @@ from robots.live.wire.messages import GetStatus, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotReader
 from robots.models.description import load_description
+from robots.perception.rgbd.picture_slot import PictureSlotReader
 
 DRAWN_EVERY_S = 1.0 / 30.0
 _BALANCE_EVERY, _WORDS_EVERY, _WORLD_EVERY = 3, 1, 6
@@ -60,6 +64,10 @@ class Viewer:
         self._body = RobotDrawing(scene, model.description)
         self._world = WorldDrawing(scene)
         self._balance = BalanceDrawing(scene, model, self._body)
+        self._plan = PlanDrawing(scene, model.description)
+        evaluation = where.evaluation_socket
+        self._truth = TruthDrawing(scene, evaluation) if evaluation.exists() else None
+        self._pictures = PictureSlotReader(where.picture_slot) if about.get("perception") == "rgbd" else None
         self._lock = threading.Lock()
         self._browsers: dict[int, Browser] = {}
         self._page.on_client_disconnect(self._gone)
@@ -77,6 +85,9 @@ class Viewer:
         self._observer.close()
 
     def _draw(self, drawings: int) -> None:
+        if self._pictures is not None:
+            with contextlib.suppress(OSError):  # asked again with the next drawing
+                self._pictures.want(bool(self._browsers))
         if not self._browsers:
             return  # a browser that comes is told everything anew
         row = self._slot.newest()
@@ -85,21 +96,34 @@ class Viewer:
             self._body.move(report.sensed.readings.q, report.sensed.q[:7])
             if drawings % _BALANCE_EVERY == 0:
                 self._balance.show(balance_of(self._model, report))
+                self._plan.landings(report.landings)
+                if self._truth is not None:
+                    self._truth.show(report.sensed.q[:7])
         seen = self._observer.seen()
         if drawings % _WORLD_EVERY == 0:
             marked = refused_pair(seen.failure)
             self._body.mark(marked)
-            things = [drawn(one, marked) for one in self._observer.world()["things"]]
+            self._plan.refused_at(refused_place(seen.failure))
+            world = self._observer.world()
+            self._plan.paths(world.get("paths", ()))
+            things = [drawn(one, marked) for one in world["things"]]
             frames = {one.held: self._body.path_of(one.held) for one in things if one.held}
             self._world.show(things, frames)
+            if self._pictures is not None and (shown := self._pictures.newest()) is not None:
+                self._balance.look(shown.color)
         for browser in list(self._browsers.values()):
             browser.show(seen)
 
     def _welcome(self, client: viser.ClientHandle, may_command: bool) -> None:
         look_from_the_side(client)
-        browser = Browser(client, self._robot, self._access, self._observer.note, may_command)
+        switch = None if self._truth is None else self._want_truth
+        browser = Browser(client, self._robot, self._access, self._observer.note, may_command, switch)
         with self._lock:
             self._browsers = {**self._browsers, client.client_id: browser}
+
+    def _want_truth(self, wanted: bool) -> None:
+        if self._truth is not None:
+            self._truth.wanted = wanted
 
     def _gone(self, client: viser.ClientHandle) -> None:
         with self._lock:
