@@ -20,7 +20,7 @@ from executive.doors.companion import MissingExtraError, require_extra
 from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.told_apart import EVENT, TREE, WORLD, json_frame, state_frame
 from executive.live.told_as_json import tree_json
-from executive.live.world_as_json import paths_json, world_json
+from executive.live.world_as_json import believed_json
 from executive.reports.feedback import line_for
 from executive.screens.display import Display
 from executive.session.events import Event, event_json
@@ -139,7 +139,7 @@ class RunFeed:
         planned = assembly.loop.motion.planned
         if (now := (world.scene.version, world.sightings, id(planned))) != self._seen_of:
             self._seen_of = now
-            believed = world_json(world, paths_json(assembly.model, planned))
+            believed = believed_json(assembly.session.toolbox, planned)
             self._tell(json_frame(WORLD, {"t_s": t_s, "world": believed}))
         if self._tree is not None and t_s >= self._tree_due_s:
             self._tree_due_s = t_s + _TREE_EVERY_S

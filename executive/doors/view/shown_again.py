@@ -18,8 +18,10 @@ from executive.exit_codes import ExitCode
 from executive.runs.run_search import find_run
 
 
-def show_again(name: str, record: Path | None, port: int, tell: Callable[[str], None]) -> ExitCode:
-    """Show a recorded run until a signal ends it.
+def show_again(
+    name: str, record: Path | None, port: int, tell: Callable[[str], None], beside: str | None = None
+) -> ExitCode:
+    """Show a recorded run, or two beside each other, until a signal ends it.
 
     Where its motion was recorded that is shown; else it is carried out once more. Nobody can command
     anything there, so that no token is asked for.
@@ -29,6 +31,7 @@ def show_again(name: str, record: Path | None, port: int, tell: Callable[[str], 
         record: Folder of the recorded runs, or None.
         port: Of 127.0.0.1.
         tell: Takes lines for people.
+        beside: Another run; None for none.
 
     Raises:
         UserError: There is no such run, it cannot be run again, or the port is taken.
@@ -36,8 +39,12 @@ def show_again(name: str, record: Path | None, port: int, tell: Callable[[str], 
     signals: list[int] = []
     with taken_by(signals.append):
         recording, is_same = _recording(name, record, tell)
+        other = None
+        if beside is not None:
+            other, is_other_same = _recording(beside, record, tell)
+            is_same = is_same and is_other_same
         server = PageServer(port, Access(new_token()), recording.name)
-        timeline = Timeline(server, recording, lambda: bool(signals))
+        timeline = Timeline(server, recording, lambda: bool(signals), other)
         tell(f"the page is at http://{HERE[0]}:{server.port}/. Ctrl-C ends it.")
         timeline.run()
         server.close()

@@ -13,6 +13,7 @@ from executive.doors.served_robot import ServedRobot
 from executive.doors.view.access import Access
 from executive.doors.view.balance_drawing import BalanceDrawing, balance_of
 from executive.doors.view.browser import Browser
+from executive.doors.view.map_drawing import MapDrawing
 from executive.doors.view.observer import Observer
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.plan_drawing import PlanDrawing
@@ -64,7 +65,7 @@ class Viewer:
         self._body = RobotDrawing(scene, model.description)
         self._world = WorldDrawing(scene)
         self._balance = BalanceDrawing(scene, model, self._body)
-        self._plan = PlanDrawing(scene, model.description)
+        self._plan, self._map = PlanDrawing(scene, model.description), MapDrawing(scene)
         evaluation = where.evaluation_socket
         self._truth = TruthDrawing(scene, evaluation) if evaluation.exists() else None
         self._pictures = PictureSlotReader(where.picture_slot) if about.get("perception") == "rgbd" else None
@@ -106,6 +107,7 @@ class Viewer:
             self._plan.refused_at(refused_place(seen.failure))
             world = self._observer.world()
             self._plan.paths(world.get("paths", ()))
+            self._map.show(world.get("rooms", ()))
             things = [drawn(one, marked) for one in world["things"]]
             frames = {one.held: self._body.path_of(one.held) for one in things if one.held}
             self._world.show(things, frames)

@@ -30,7 +30,7 @@ from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.given_trajectory import load_joint_motion
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.told_as_json import scene_json, tree_json
-from executive.live.world_as_json import paths_json, world_json
+from executive.live.world_as_json import believed_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
 from executive.meaning import Command, Parsed, Refusal, StopCommand
 from executive.robot_settings import robot_settings
@@ -204,7 +204,7 @@ class LiveExecutive:
 
     def world(self) -> Mapping[str, Any]:
         """What is believed of the world, as JSON values."""
-        return world_json(self._session.toolbox.world, paths_json(self._model, self._motion.planned))
+        return believed_json(self._session.toolbox, self._motion.planned)
 
     # ---------------------------------------------------------------- an order
 

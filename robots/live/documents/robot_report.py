@@ -118,6 +118,9 @@ class ReportLayout:
 
 
 def landings_of(planned: Sequence[tuple[Hand, PlanarPose]]) -> Array:
-    """Landings as a report has them, shape (n, 4), from which foot, and where."""
-    rows = [(1.0 if side == "left" else -1.0, pose.x_m, pose.y_m, pose.yaw_rad) for side, pose in planned]
+    """Landings as a report has them, shape (n, 4), from which foot, and where; the first ones of many."""
+    rows = [
+        (1.0 if side == "left" else -1.0, pose.x_m, pose.y_m, pose.yaw_rad)
+        for side, pose in planned[:MOST_LANDINGS]
+    ]
     return np.array(rows).reshape(-1, 4)

@@ -312,7 +312,7 @@ def test_the_landings_that_are_planned_are_those_that_come(model):
         walk.pattern.advance(PERIOD_S)
         if walk.pattern.phase is Phase.SWING and len(planned) == len(landed):
             planned.append(walk.pattern.landings[0])
-            assert 1 < len(walk.pattern.landings) <= 4
+            assert len(walk.pattern.landings) > 1
         for side, pose in walk.pattern.feet.items():
             if pose != feet[side]:
                 landed.append((side, pose))
