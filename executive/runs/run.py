@@ -130,7 +130,7 @@ def _performed(
     request = replace(request, settings=replace(settings, begins=settings.begins or local_time()))
     scene = _preflight(request)
     labelling = _labelling(request, scene)
-    pictures = _pictures(request)
+    pictures, display = _pictures(request, display)
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     subject = RunSubject(request.input, request.robot, request.scene, request.seed)
     header = {**subject.header(), **_header(request)}
@@ -201,12 +201,18 @@ def _labelling(request: RunRequest, scene: SceneDescription) -> Labelling:
     return Labelling(shown_directory(), packages=True, model=model, words=scene.perception.labels)
 
 
-def _pictures(request: RunRequest) -> Pictures | None:
+def _pictures(request: RunRequest, display: Display) -> tuple[Pictures | None, Display]:
+    """What draws the run, if that was asked for, and who shows it."""
     if request.snapshot is None and request.video is None:
-        return None
+        return None, display
     from executive.runs.pictures import Pictures
 
-    return Pictures(request.snapshot, request.video)
+    if not request.panel:
+        return Pictures(request.snapshot, request.video), display
+    from executive.screens.film_panel import FilmPanel
+
+    panel = FilmPanel(display, f"{request.robot} in {request.scene}, seed {request.seed}")
+    return Pictures(request.snapshot, request.video, panel.picture), panel
 
 
 def _results(

@@ -68,6 +68,9 @@ def run(
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
     snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
     video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,
+    panel: Annotated[
+        bool, typer.Option("--panel", help="In the film, tree and log beside the picture.")
+    ] = False,
     record: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories and motion too.")
     ] = None,
@@ -108,6 +111,8 @@ def run(
     use_config(config)
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust, scene)
+    if panel and video is None:
+        raise typer.BadParameter("--panel stands beside the picture of --video FILE.mp4")
     doors = ["--ros"] * ros + ["--view"] * view + ["--groot"] * groot
     if doors:
         asked = None if on_question is OnQuestionChoice.ASK else on_question
@@ -154,6 +159,7 @@ def run(
         report=report,
         snapshot=snapshot,
         video=video,
+        panel=panel,
         on_question=on_question.value,
         trust=trust,
         in_real_time=pace is PaceChoice.REAL,
