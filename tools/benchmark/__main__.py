@@ -27,6 +27,7 @@ SUITES = (
     "control",
     "ros",
     "startup",
+    "view",
 )
 
 
@@ -97,6 +98,10 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
         "ros": ros,
         "startup": startup,
     }
+    if suite == "view":  # needs a browser
+        from tools.benchmark.view import view
+
+        alone["view"] = view
     return Report(suite, quick, alone[suite](quick))
 
 

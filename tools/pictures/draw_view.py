@@ -38,7 +38,7 @@ def draw(page: Page, address: str, asked: str, target: Path, dark: bool) -> None
     for notice in page.locator(".mantine-Notification-closeButton").all():
         notice.click()
     if dark:
-        page.get_by_label("dark").check()
+        page.get_by_label("dark", exact=True).check()
     page.wait_for_timeout(_SETTLED_MS)
     page.screenshot(path=target)
 

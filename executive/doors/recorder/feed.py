@@ -23,7 +23,7 @@ from executive.live.told_as_json import tree_json
 from executive.live.world_as_json import believed_json
 from executive.reports.feedback import line_for
 from executive.screens.display import Display
-from executive.session.events import Event, event_json
+from executive.session.events import Event, TaskEnded, event_json
 from robots.live.documents.robot_report import ReportLayout, RobotReport, landings_of
 
 if TYPE_CHECKING:
@@ -100,6 +100,8 @@ class RunFeed:
         """Record it, and show it."""
         if self._pipe is not None:
             self._tell(json_frame(EVENT, {"told": event_json(event), "line": line_for(event)}))
+            if isinstance(event, TaskEnded):
+                self._tell_tree(event.t_s)  # as it has ended
         self._display.event(event)
 
     def tick(self, tree: TaskTree) -> None:
@@ -141,8 +143,13 @@ class RunFeed:
             self._seen_of = now
             believed = believed_json(assembly.session.toolbox, planned)
             self._tell(json_frame(WORLD, {"t_s": t_s, "world": believed}))
-        if self._tree is not None and t_s >= self._tree_due_s:
+        if t_s >= self._tree_due_s:
             self._tree_due_s = t_s + _TREE_EVERY_S
+            self._tell_tree(t_s)
+
+    def _tell_tree(self, t_s: float) -> None:
+        """Tell how the tree stands."""
+        if self._tree is not None:
             self._tell(json_frame(TREE, {"t_s": t_s, "nodes": tree_json(self._tree.snapshot(t_s).root)}))
 
     def _tell(self, frame: bytes) -> None:

@@ -33,6 +33,7 @@ class Browser:
         access: Knows the token.
         note: Takes a line for the log.
         may_command: Whether it has come with the token.
+        look: Lets it look at the robot, wherever that has gone.
         show_truth: Shows the simulator's truth, or no longer; None where there is none to show.
     """
 
@@ -44,6 +45,7 @@ class Browser:
         note: Callable[[LogLine], None],
         may_command: bool,
         show_truth: Switch | None = None,
+        look: Callable[[], None] = lambda: None,
     ) -> None:
         self._client, self._robot, self._access, self._note = client, robot, access, note
         self._seen = Seen()
@@ -67,6 +69,7 @@ class Browser:
             else:
                 self._add_token()
         self._ending = gui.add_html("")
+        gui.add_command("look at the robot", hotkey="L", modifier="alt").on_trigger(lambda _event: look())
         dark = gui.add_checkbox("dark", False)
         dark.on_update(
             lambda _event: gui.configure_theme(show_logo=False, show_share_button=False, dark_mode=dark.value)

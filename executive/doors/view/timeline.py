@@ -21,6 +21,7 @@ PACES = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "1 x": 1.0, "2 x": 2.0, "5 
 _USUAL_PACE = "1 x"
 _STEP_S = 0.01
 _NUDGE_S = 0.1
+_ROOMS_FARTHER = 2.2
 _BESIDE_M = 3.0
 """From one run to the other."""
 
@@ -59,7 +60,7 @@ class Timeline:
             for run, y_m in zip(self._runs, (0.0, _BESIDE_M), strict=True):
                 scene.add_label(f"/name_{y_m:.0f}", run.recording.name, position=(0.0, y_m, 2.1))
         self._add_panels()
-        page.on_client_connect(look_from_the_side)
+        page.on_client_connect(self._look)
 
     def run(self) -> None:
         """Show, and play while that is asked for, until it ends."""
@@ -72,12 +73,19 @@ class Timeline:
                     self._play(False)
             pace_from_s = now_s
             if self.t_s != self._shown_s:
-                self._show(self.t_s)
+                self.draw(self.t_s)
             self._wall.sleep(max(now_s + DRAWN_EVERY_S - self._wall.now_s(), 0.0))
 
     def go_to(self, t_s: float) -> None:
         """Show another moment with the next drawing."""
         self.t_s = min(max(t_s, 0.0), self._ends_s)
+
+    def _look(self, client: viser.ClientHandle) -> None:
+        """Let a browser that comes look at the robot where it is now; at rooms from farther away."""
+        moment = self._recording.moment(self.t_s)
+        x_m, y_m = moment.report.sensed.q[:2].tolist()
+        far = _ROOMS_FARTHER if moment.world.get("rooms") or len(self._runs) > 1 else 1.0
+        look_from_the_side(client, x_m, y_m, far)
 
     def jump_to_failure(self) -> None:
         """Go to the next failure and hold there."""
@@ -86,7 +94,8 @@ class Timeline:
             self._play(False)
             self.go_to(at_s)
 
-    def _show(self, t_s: float) -> None:
+    def draw(self, t_s: float) -> None:
+        """Draw a moment; ``run`` does so for each that is gone to."""
         self._shown_s = t_s
         with self._page.atomic():
             for number, run in enumerate(self._runs):

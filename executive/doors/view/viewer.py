@@ -69,6 +69,7 @@ class Viewer:
         evaluation = where.evaluation_socket
         self._truth = TruthDrawing(scene, evaluation) if evaluation.exists() else None
         self._pictures = PictureSlotReader(where.picture_slot) if about.get("perception") == "rgbd" else None
+        self._slot_path = where.state_slot
         self._lock = threading.Lock()
         self._browsers: dict[int, Browser] = {}
         self._page.on_client_disconnect(self._gone)
@@ -117,11 +118,27 @@ class Viewer:
             browser.show(seen)
 
     def _welcome(self, client: viser.ClientHandle, may_command: bool) -> None:
-        look_from_the_side(client)
+        look_from_the_side(client, *self._place())
         switch = None if self._truth is None else self._want_truth
-        browser = Browser(client, self._robot, self._access, self._observer.note, may_command, switch)
+        browser = Browser(
+            client,
+            self._robot,
+            self._access,
+            self._observer.note,
+            may_command,
+            switch,
+            lambda: look_from_the_side(client, *self._place()),
+        )
         with self._lock:
             self._browsers = {**self._browsers, client.client_id: browser}
+
+    def _place(self) -> tuple[float, float]:
+        """Where the robot is now, whether or not it was drawn there."""
+        row = StateSlotReader(self._slot_path).newest()
+        if row is None:
+            return 0.0, 0.0
+        x_m, y_m = self._layout.report(row).sensed.q[:2].tolist()
+        return float(x_m), float(y_m)
 
     def _want_truth(self, wanted: bool) -> None:
         if self._truth is not None:
@@ -144,10 +161,19 @@ def prepare(scene: viser.SceneApi) -> None:
     scene.add_grid("/floor", 20.0, 20.0, cell_size=0.5, section_size=1.0)
 
 
-def look_from_the_side(client: viser.ClientHandle) -> None:
-    """Where a browser looks from at first."""
+def look_from_the_side(
+    client: viser.ClientHandle, x_m: float = 0.0, y_m: float = 0.0, farther: float = 1.0
+) -> None:
+    """Let a browser look at the robot from ahead and aside.
+
+    Args:
+        client: The browser.
+        x_m, y_m: Where the robot is drawn.
+        farther: Times as far as is usual.
+    """
     client.camera.up_direction = (0.0, 0.0, 1.0)
-    client.camera.position, client.camera.look_at = (1.9, -1.5, 1.5), (0.35, 0.0, 0.85)
+    client.camera.position = (x_m + 0.35 + 1.55 * farther, y_m - 1.5 * farther, 0.85 + 0.65 * farther)
+    client.camera.look_at = (x_m + 0.35, y_m, 0.85)
 
 
 def _told(where: RuntimeFolder, wall: WallClock, ended: Callable[[], bool]) -> dict[str, object]:
