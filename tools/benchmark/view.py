@@ -173,7 +173,8 @@ def _late(robot: ServedRobot, wall: WallClock) -> float:
     before = robot.status()["lateness"]
     wall.sleep(_PHASE_S)
     after = robot.status()["lateness"]
-    return 100.0 * float(after["late"] - before["late"]) / max(after["periods"] - before["periods"], 1)
+    periods = float(after["periods"] - before["periods"])
+    return 100.0 * float(after["late"] - before["late"]) / max(periods, 1.0)
 
 
 def _recording(where: RuntimeFolder, wall: WallClock, turns: int) -> list[Figure]:

@@ -21,7 +21,7 @@ PACES = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "1 x": 1.0, "2 x": 2.0, "5 
 _USUAL_PACE = "1 x"
 _STEP_S = 0.01
 _NUDGE_S = 0.1
-_ROOMS_FARTHER = 2.2
+_ROOMS_FARTHER, _TWO_FARTHER = 2.2, 1.5
 _BESIDE_M = 3.0
 """From one run to the other."""
 
@@ -36,6 +36,11 @@ class Timeline:
         recording: The run.
         ended: Asked in between.
         other: Another run, at the same time; None for none.
+
+    Attributes:
+        t_s: The moment that is shown.
+        ends_s: The last one.
+        difference: The first event in which two runs differ, or None.
     """
 
     def __init__(
@@ -47,8 +52,8 @@ class Timeline:
     ) -> None:
         self._recording, self._ended, self._wall = recording, ended, WallClock()
         self._page = page = server.viser
-        self._ends_s = max(recording.ends_s, _STEP_S if other is None else other.ends_s)
-        self._difference = None if other is None else first_difference(recording, other)
+        self.ends_s = max(recording.ends_s, _STEP_S if other is None else other.ends_s)
+        self.difference = None if other is None else first_difference(recording, other)
         self.t_s, self._playing, self._shown_s = 0.0, False, -1.0
         self._lock = threading.Lock()
         scene = page.scene
@@ -69,7 +74,7 @@ class Timeline:
             now_s = self._wall.now_s()
             if self._playing:
                 self.go_to(self.t_s + PACES[self._pace.value] * (now_s - pace_from_s))
-                if self.t_s >= self._ends_s:
+                if self.t_s >= self.ends_s:
                     self._play(False)
             pace_from_s = now_s
             if self.t_s != self._shown_s:
@@ -78,14 +83,18 @@ class Timeline:
 
     def go_to(self, t_s: float) -> None:
         """Show another moment with the next drawing."""
-        self.t_s = min(max(t_s, 0.0), self._ends_s)
+        self.t_s = min(max(t_s, 0.0), self.ends_s)
 
     def _look(self, client: viser.ClientHandle) -> None:
         """Let a browser that comes look at the robot where it is now; at rooms from farther away."""
         moment = self._recording.moment(self.t_s)
         x_m, y_m = moment.report.sensed.q[:2].tolist()
-        far = _ROOMS_FARTHER if moment.world.get("rooms") or len(self._runs) > 1 else 1.0
+        far = _ROOMS_FARTHER if moment.world.get("rooms") else _TWO_FARTHER if len(self._runs) > 1 else 1.0
         look_from_the_side(client, x_m, y_m, far)
+
+    def hold(self) -> None:
+        """Play no more."""
+        self._play(False)
 
     def jump_to_failure(self) -> None:
         """Go to the next failure and hold there."""
@@ -118,23 +127,23 @@ class Timeline:
             self.go_to(float(self._slider.value))
 
     def _play(self, playing: bool) -> None:
-        if playing and self.t_s >= self._ends_s:
+        if playing and self.t_s >= self.ends_s:
             self.go_to(0.0)
         self._playing = playing
         self._button.label = "hold" if playing else "play"
 
     def jump_to_difference(self) -> None:
         """Go to the first event in which two runs differ, and hold there."""
-        if self._difference is not None:
+        if self.difference is not None:
             self._play(False)
-            self.go_to(self._difference.t_s)
+            self.go_to(self.difference.t_s)
 
     def _add_panels(self) -> None:
         gui, recording = self._page.gui, self._recording
         gui.configure_theme(show_logo=False, show_share_button=False)
         gui.set_panel_label(recording.asked[:60])
         gui.main_panel.dock_right()
-        ends_s, differs = max(self._ends_s, _STEP_S), self._difference
+        ends_s, differs = max(self.ends_s, _STEP_S), self.difference
         marks = None if differs is None else ((differs.t_s, "differs"),)
         self._slider = gui.add_slider(
             "time, s", min=0.0, max=ends_s, step=_STEP_S, initial_value=0.0, marks=marks

@@ -142,3 +142,12 @@ def test_a_question_is_shown_until_it_is_answered(recording):
 
     assert seen_at(recording, 0.25).question == {"text": "which cup?", "choices": ["red", "blue"]}
     assert seen_at(recording, 0.32).question is None
+
+
+def test_what_people_are_told_counts_before_what_is_for_the_digest(tmp_path):
+    one = with_events(tmp_path, ("SensorsNoted", 0.5, "ab"), ("Said", 1.0, "hi"))
+    other = with_events(tmp_path, ("SensorsNoted", 0.5, "cd"), ("Said", 1.0, "ho"))
+    alike = with_events(tmp_path, ("SensorsNoted", 0.5, "cd"), ("Said", 1.0, "hi"))
+
+    assert first_difference(one, other).t_s == 1.0
+    assert first_difference(one, alike).t_s == 0.5
