@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from executive.doors.view.robot_drawing import RobotDrawing
 from kinematics.errors import KinematicsError
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
 from kinematics.model.support_polygon import SupportPolygon
 from robots.live.documents.robot_report import RobotReport
 
@@ -52,11 +53,16 @@ def balance_of(model: RobotModel, report: RobotReport) -> Balance:
     1972).
     """
     soles = model.description.soles
+    stance, carrying = report.stance, soles
+    if report.walking:  # the stance is where it stood before, and feet swing
+        felt = report.sensed.readings.foot_wrench[:, 2]
+        carrying = tuple(sole for sole, fz in zip(soles, felt, strict=True) if fz >= _FELT_N)
+        stance = Stance(tuple((one.frame, model.frame_pose(report.sensed.q, one.frame)) for one in carrying))
     try:
-        polygon = SupportPolygon(report.stance, soles).vertices_m
+        polygon = SupportPolygon(stance, carrying).vertices_m
     except KinematicsError:
         polygon = np.zeros((0, 2))
-    poses = dict(report.stance.soles)
+    poses = dict(stance.soles)
     pressed, total_n = np.zeros(2), 0.0
     for sole, (_, _, fz, tx, ty, _) in zip(soles, report.sensed.readings.foot_wrench.tolist(), strict=True):
         if fz < _FELT_N or sole.frame not in poses:
