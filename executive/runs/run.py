@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from executive.session.assembly import Assembly
 
 
+OnRecord = Callable[[Path, Mapping[str, Any]], Path | None]
 _WAITS_S = 0.02
 FINAL_HOLD_S = 0.5
 """Simulated time that a film goes on after the last task."""
@@ -85,7 +86,7 @@ def perform(
     cancellation: Cancellation | None = None,
     heeds_signals: bool = True,
     on_assembly: Callable[[Assembly], None] = lambda _assembly: None,
-    on_record: Callable[[Path, Mapping[str, Any]], None] = lambda _folder, _header: None,
+    on_record: OnRecord = lambda _folder, _header: None,
 ) -> Performance:
     """Carry a request out.
 
@@ -103,7 +104,7 @@ def perform(
         heeds_signals: Whether signals to end are this run's; where not, they end the program.
         on_assembly: Called with the robot and its session before the first task.
         on_record: Called with the folder of the recorded run, and what its ``run.json`` says, before anything
-            else happens.
+            else happens; tells where the newest picture of the robot's camera is to be shown, or None.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -123,7 +124,7 @@ def _performed(
     on_event: Callable[[Event], None] | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
-    on_record: Callable[[Path, Mapping[str, Any]], None],
+    on_record: OnRecord,
 ) -> Performance:
     leave_opengl_to_the_renderer()
     settings = request.settings or robot_settings(config_files())
@@ -135,11 +136,21 @@ def _performed(
     subject = RunSubject(request.input, request.robot, request.scene, request.seed)
     header = {**subject.header(), **_header(request)}
     with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
-        on_record(log.path, header)
+        slot = on_record(log.path, header)
         account = RunAccount(subject, log, display.event, *([] if on_event is None else [on_event]))
         keep = log if request.keep_trajectories else None
         results, checked, silences = _results(
-            request, scene, labelling, attendant, account.hear, display, pictures, keep, ending, on_assembly
+            request,
+            scene,
+            labelling,
+            attendant,
+            account.hear,
+            display,
+            pictures,
+            keep,
+            ending,
+            on_assembly,
+            slot,
         )
         line, outcome, code = verdict(request.statements, results)
         report = account.close((line, outcome, code), results, checked)
@@ -226,6 +237,7 @@ def _results(
     keep: RunLog | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
+    picture_slot: Path | None,
 ) -> tuple[list[Said], int, tuple[str, ...]]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves.
 
@@ -269,6 +281,7 @@ def _results(
         identity=settings.identity,
         calendar=Calendar(settings.begins or USUAL_START),
         labelling=labelling,
+        picture_slot=picture_slot,
     )
     plan_faults(assembly.world, request.faults)
     on_assembly(assembly)

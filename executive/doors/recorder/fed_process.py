@@ -10,17 +10,23 @@ from executive.doors.recorder.recorder import Recorder
 from executive.doors.recorder.told_apart import EVENT, STATE, TREE, frames
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
+from robots.perception.rgbd.picture_slot import PictureSlotReader
 
 
-def main(path: str, robot: str, about: str, zero_ns: str) -> int:
+def main(path: str, robot: str, about: str, zero_ns: str, slot: str = "") -> int:
     """Write an MCAP file until the input ends."""
+    pictures = PictureSlotReader(Path(slot)) if slot else None
     try:
+        if pictures is not None:
+            pictures.want(True)
         recorder = Recorder(
             Path(path), RobotModel(load_description(robot)), json.loads(about), int(zero_ns) or None
         )
         for kind, value in frames(sys.stdin.buffer):
             if kind == STATE:
                 recorder.state(value)
+                if pictures is not None and (shown := pictures.newest()) is not None:
+                    recorder.picture(shown)
             elif kind == EVENT:
                 recorder.event(value["told"], value["line"])
             elif kind == TREE:

@@ -12,6 +12,7 @@ import os
 import select
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -65,22 +66,28 @@ class RunFeed:
         self._tree: TaskTree | None = None
         self._state_due_s = self._tree_due_s = 0.0
         self._seen_of: object = None
+        self._place: tempfile.TemporaryDirectory[str] | None = None
 
-    def record(self, folder: Path, header: Mapping[str, Any]) -> None:
-        """Begin to record in the folder of a run."""
-        self.open(MotionParts(folder).next(), header)
+    def record(self, folder: Path, header: Mapping[str, Any]) -> Path:
+        """Begin to record in the folder of a run; returns where pictures are to be shown."""
+        self._place = tempfile.TemporaryDirectory(prefix="executive-record-", ignore_cleanup_errors=True)
+        slot = Path(self._place.name) / "picture"
+        self.open(MotionParts(folder).next(), header, slot=slot)
+        return slot
 
-    def open(self, path: Path, header: Mapping[str, Any], zero_ns: int = 0) -> None:
+    def open(self, path: Path, header: Mapping[str, Any], zero_ns: int = 0, slot: Path | None = None) -> None:
         """Begin to record.
 
         Args:
             path: Of the MCAP file; it is not there yet.
             header: Whose run it is, as its ``run.json``.
             zero_ns: Wall time since 1970 at which it began; 0 is now.
+            slot: Where the newest picture of the robot's camera is shown; None for nowhere.
         """
         about = json.dumps({key: str(header.get(key, "")) for key in ("input", "robot", "scene", "seed")})
         command = [sys.executable, "-m", "executive.doors.recorder.fed_process"]
         command += [os.fspath(path), str(header["robot"]), about, str(zero_ns)]
+        command += [] if slot is None else [os.fspath(slot)]
         try:
             self._process = process = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)
         except OSError as failed:
@@ -125,6 +132,8 @@ class RunFeed:
         except subprocess.TimeoutExpired:
             process.kill()
             code = process.wait()
+        if self._place is not None:
+            self._place.cleanup()
         if code < 0:
             self._complain("what records the run's motion was ended before its end; the rest is kept")
 

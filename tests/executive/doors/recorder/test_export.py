@@ -1,9 +1,14 @@
 """Runs that were recorded without their motion get it."""
 
+import io
+
 import pytest
+from PIL import Image
+from rosbags.highlevel import AnyReader
 
 from executive.doors.recorder.export import NotExportedError, export
 from executive.doors.recorder.feed import RunFeed, complaint_without_extra
+from executive.doors.recorder.parts import MotionParts
 from executive.doors.view.motion_read import recording_of
 from executive.doors.view.recording import recorded_again
 from executive.runs.run import perform
@@ -89,3 +94,26 @@ def test_a_missing_extra_is_one_clear_line(monkeypatch):
         "the run's motion is not recorded: the package 'mcap' is not installed: "
         'pip install "humanoid-executive[record]"'
     )
+
+
+@pytest.mark.opengl
+def test_a_run_that_sees_with_the_camera_keeps_its_pictures(tmp_path):
+    text, trust = "look at the table", Trust()
+    said = script_for(text, trust, "tabletop")
+    feed = RunFeed(NoDisplay(), print)
+    request = RunRequest(
+        text, said.statements, "talos", "tabletop", 2, tmp_path, perception="rgbd", trust=trust
+    )
+    perform(request, feed, on_assembly=feed.begin, on_record=feed.record)
+    feed.close()
+    (run,) = recorded_runs(tmp_path)
+    with AnyReader(MotionParts(run.path).all()) as reader:
+        taken = [
+            reader.deserialize(data, connection.msgtype)
+            for connection, _, data in reader.messages()
+            if connection.topic == "/camera/color/image_raw/compressed"
+        ]
+
+    assert taken
+    assert Image.open(io.BytesIO(bytes(taken[0].data))).size == (640, 480)
+    assert not [one.name for one in run.path.iterdir() if one.name.startswith(".")]
