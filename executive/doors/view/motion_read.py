@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +76,8 @@ def _read(recording: Recording, parts: Sequence[Path]) -> Recording:
                     recording.log.append(line)
     if not recording.moments:
         raise UnreadableRecordingError(parts[0], "it holds no motion")
+    # what was told after the last state belongs to the end
+    recording.moments[-1] = replace(recording.moments[-1], world=world, nodes=nodes)
     recording.moments.sort(key=lambda one: one.t_s)
     return recording
 

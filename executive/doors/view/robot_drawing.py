@@ -14,7 +14,7 @@ from kinematics.model.robot_description import RobotDescription
 
 ROOT = "/robot"
 REFUSED = (224, 32, 32)
-_DARKEST = 64
+_DARKEST = 110
 """Black links would not be seen on a dark page."""
 _STILL = 3e-4
 """A frame that has moved by less, m or in its quaternion, is not sent: what stands trembles by that much."""

@@ -124,6 +124,17 @@ def test_a_recording_is_shown_again_as_it_was(recorded):
     assert [line.text for line in recording.log] == ["accepted: wave"]
 
 
+def test_how_the_tree_ended_is_shown_at_the_end(model, tmp_path):
+    recorder = Recorder(tmp_path / "motion.mcap", model, ABOUT)
+    recorder.tree(0.0, [{"depth": 0, "name": "wave", "status": "running", "message": ""}])
+    recorder.state(row_at(model, 0.0))
+    recorder.tree(0.01, [{"depth": 0, "name": "wave", "status": "failure", "message": ""}])
+    recorder.close()
+    recording = recording_in(tmp_path / "motion.mcap")
+
+    assert recording.moment(recording.ends_s).nodes[0]["status"] == "failure"
+
+
 def test_one_that_was_cut_off_is_read_as_far_as_it_goes_and_mended_for_others(recorded, tmp_path):
     whole = recorded.read_bytes()
     rng = np.random.default_rng(3)
