@@ -283,6 +283,7 @@ class Failure:
                 "subject": list(finding.subject),
                 "value": finding.value,
                 "limit": finding.limit,
+                **({} if finding.place_m is None else {"place_m": [round(v, 4) for v in finding.place_m]}),
             }
         return {
             "kind": self.kind.value,

@@ -136,6 +136,11 @@ class GetWorld:
 
 
 @dataclass(frozen=True, slots=True)
+class GetTree:
+    """Write the tree under way down, as a document of BehaviorTree.CPP 4."""
+
+
+@dataclass(frozen=True, slots=True)
 class GetScene:
     """What does the robot believe to be around it?"""
 
@@ -150,6 +155,7 @@ DeskMessage = (
     | GetStatus
     | GetScene
     | GetWorld
+    | GetTree
     | Listen
     | Watch
     | Velocity
@@ -170,6 +176,7 @@ _MESSAGES: Mapping[str, type] = {
     "status": GetStatus,
     "scene": GetScene,
     "world": GetWorld,
+    "tree_document": GetTree,
     "listen": Listen,
     "watch": Watch,
     "velocity": Velocity,

@@ -33,6 +33,11 @@ def tree_json(root: NodeSnapshot) -> list[Mapping[str, Any]]:
     return beginning(nodes)
 
 
+def statuses(node: NodeSnapshot) -> str:
+    """The first letter of each node's status, from the root down; none is left out."""
+    return node.status[0] + "".join(map(statuses, node.children))
+
+
 def beginning(told: list[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """As many of the first values as fit a message beside what else a status says."""
     ends = np.cumsum([len(json.dumps(one)) + 1 for one in told])

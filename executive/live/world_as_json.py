@@ -5,7 +5,7 @@ Lengths are metres; poses are in the odometry frame as place and quaternion (x, 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,14 +14,22 @@ from executive.live.told_as_json import beginning
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder, Shape
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import FLOOR, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
+from robots.scenes.scene_description import Region
 from trees.beliefs.scene.believed_thing import PERSON
 from trees.beliefs.scene.labels import label_of
+from trees.toolbox import Toolbox
 from trees.world_model import WorldModel
 
+_PATH_POINTS, _LEAST_PATH_M = 40, 0.02
 
-def world_json(world: WorldModel) -> dict[str, Any]:
+
+def world_json(
+    world: WorldModel, paths: Sequence[Mapping[str, Any]] = (), rooms: Sequence[Mapping[str, Any]] = ()
+) -> dict[str, Any]:
     """What is believed, as JSON values: the version of the scene and its things, nearest the origin first.
 
     A thing's ``held`` is the frame that carries it, and its pose is then in that frame. ``error_m`` are the
@@ -30,6 +38,8 @@ def world_json(world: WorldModel) -> dict[str, Any]:
 
     Args:
         world: The world model.
+        paths: The ways that hands are planned to go, from ``paths_json``.
+        rooms: Those of the map, from ``rooms_json``.
     """
     scene = world.scene
     held = [
@@ -40,7 +50,49 @@ def world_json(world: WorldModel) -> dict[str, Any]:
     things = [
         _thing(one, one.world_T_object, world.sightings.get(one.name)) for one in free if one.name != FLOOR
     ]
-    return {"version": scene.version, "things": beginning([*held, *things])}
+    told = beginning([*held, *things])
+    return {"version": scene.version, "things": told, "paths": list(paths), "rooms": list(rooms)}
+
+
+def believed_json(toolbox: Toolbox, planned: Trajectory | None) -> dict[str, Any]:
+    """Everything that is believed, and the way that is planned; as ``world_json``.
+
+    Args:
+        toolbox: Of the robot.
+        planned: The trajectory that is carried out, or None.
+    """
+    return world_json(toolbox.world, paths_json(toolbox.model, planned), rooms_json(toolbox.places))
+
+
+def rooms_json(places: Mapping[str, Region]) -> list[Mapping[str, Any]]:
+    """The rooms of the map, in the odometry frame: ``name``, ``middle_m``, ``size_m`` and ``yaw_rad``."""
+    return [
+        {
+            "name": name,
+            "middle_m": _rounded(np.array(room.position_m), 3),
+            "size_m": _rounded(np.array(room.size_m), 3),
+            "yaw_rad": round(room.yaw_rad, 4),
+        }
+        for name, room in places.items()
+    ]
+
+
+def paths_json(model: RobotModel, planned: Trajectory | None) -> list[Mapping[str, Any]]:
+    """The ways that hands are planned to go: ``hand`` and ``points_m``; one that stays where it is has none.
+
+    Args:
+        model: The robot.
+        planned: The trajectory that is carried out, or None.
+    """
+    if planned is None:
+        return []
+    samples = planned.q[np.unique(np.linspace(0, len(planned.t_s) - 1, _PATH_POINTS).astype(int))]
+    found: list[Mapping[str, Any]] = []
+    for hand, frame in model.description.tcp_frames.items():
+        points = np.array([model.frame_pose(q, frame)[:3, 3] for q in samples])
+        if np.ptp(points, axis=0).max() > _LEAST_PATH_M:
+            found.append({"hand": hand, "points_m": points.round(3).tolist()})
+    return found
 
 
 def _thing(one: SceneObject, pose: Transform, seen: ObjectEstimate | None) -> Mapping[str, Any]:

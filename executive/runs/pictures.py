@@ -20,14 +20,18 @@ class Pictures:
     Args:
         snapshot: Where to write a picture of the end, or None.
         video: Where to write a film, or None.
+        panel: Draws what stands beside the frames of the film, of so many pixels' height, at a time; None for
+            nothing.
 
     Raises:
         RenderingUnavailableError: This machine cannot draw; found out before anything moves.
     """
 
-    def __init__(self, snapshot: Path | None, video: Path | None) -> None:
+    def __init__(
+        self, snapshot: Path | None, video: Path | None, panel: rendering.Panel | None = None
+    ) -> None:
         rendering.require_rendering(video=video is not None)
-        self._snapshot, self._video = snapshot, video
+        self._snapshot, self._video, self._panel = snapshot, video, panel
         self._recorder: rendering.VideoRecorder | None = None
         self._world: SimulatedWorld | None = None
         self._path: list[tuple[float, float]] = []
@@ -37,7 +41,7 @@ class Pictures:
         """Start the film, and note the way that the robot goes."""
         self._world = world
         if self._video is not None:
-            self._recorder = rendering.VideoRecorder(world, self._video)
+            self._recorder = rendering.VideoRecorder(world, self._video, panel=self._panel)
 
     def tick(self) -> None:
         """Draw a frame of the film if one is due; call it after each control period."""

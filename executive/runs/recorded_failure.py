@@ -56,6 +56,13 @@ def _open_choice(written: Mapping[str, Any] | None, told: Mapping[str, Any]) -> 
     )
 
 
+def _place(written: Any) -> tuple[float, float, float] | None:
+    if written is None:
+        return None
+    x, y, z = map(float, written)
+    return x, y, z
+
+
 def _finding(written: Mapping[str, Any] | None, told: Mapping[str, Any]) -> Finding | None:
     if written is not None:
         return Finding(
@@ -64,6 +71,7 @@ def _finding(written: Mapping[str, Any] | None, told: Mapping[str, Any]) -> Find
             tuple(written["subject"]),
             float(written["value"]),
             float(written["limit"]),
+            _place(written.get("place_m")),
         )
     if "finding" not in told:
         return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from executive.session.assembly import Assembly
 
 
+OnRecord = Callable[[Path, Mapping[str, Any]], Path | None]
 _WAITS_S = 0.02
 FINAL_HOLD_S = 0.5
 """Simulated time that a film goes on after the last task."""
@@ -85,6 +86,7 @@ def perform(
     cancellation: Cancellation | None = None,
     heeds_signals: bool = True,
     on_assembly: Callable[[Assembly], None] = lambda _assembly: None,
+    on_record: OnRecord = lambda _folder, _header: None,
 ) -> Performance:
     """Carry a request out.
 
@@ -101,6 +103,8 @@ def perform(
             before there is a robot.
         heeds_signals: Whether signals to end are this run's; where not, they end the program.
         on_assembly: Called with the robot and its session before the first task.
+        on_record: Called with the folder of the recorded run, and what its ``run.json`` says, before anything
+            else happens; tells where the newest picture of the robot's camera is to be shown, or None.
 
     Everything that can be wrong with it, or with the machine, is found before anything moves.
 
@@ -110,7 +114,7 @@ def perform(
     """
     ending = _Ending(cancellation or Cancellation())
     with taken_by(ending.take) if heeds_signals else nullcontext(), spoken_in(request.scene):
-        return _performed(request, display, attendant or Nobody(), on_event, ending, on_assembly)
+        return _performed(request, display, attendant or Nobody(), on_event, ending, on_assembly, on_record)
 
 
 def _performed(
@@ -120,21 +124,33 @@ def _performed(
     on_event: Callable[[Event], None] | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
+    on_record: OnRecord,
 ) -> Performance:
     leave_opengl_to_the_renderer()
     settings = request.settings or robot_settings(config_files())
     request = replace(request, settings=replace(settings, begins=settings.begins or local_time()))
     scene = _preflight(request)
     labelling = _labelling(request, scene)
-    pictures = _pictures(request)
+    pictures, display = _pictures(request, display)
     scene_path = None if request.scene in known_scenes() else Path(request.scene)
     subject = RunSubject(request.input, request.robot, request.scene, request.seed)
     header = {**subject.header(), **_header(request)}
     with RunLog(request.record, header, scene_path, request.script, chosen_config()) as log:
+        slot = on_record(log.path, header)
         account = RunAccount(subject, log, display.event, *([] if on_event is None else [on_event]))
         keep = log if request.keep_trajectories else None
         results, checked, silences = _results(
-            request, scene, labelling, attendant, account.hear, display, pictures, keep, ending, on_assembly
+            request,
+            scene,
+            labelling,
+            attendant,
+            account.hear,
+            display,
+            pictures,
+            keep,
+            ending,
+            on_assembly,
+            slot,
         )
         line, outcome, code = verdict(request.statements, results)
         report = account.close((line, outcome, code), results, checked)
@@ -196,12 +212,18 @@ def _labelling(request: RunRequest, scene: SceneDescription) -> Labelling:
     return Labelling(shown_directory(), packages=True, model=model, words=scene.perception.labels)
 
 
-def _pictures(request: RunRequest) -> Pictures | None:
+def _pictures(request: RunRequest, display: Display) -> tuple[Pictures | None, Display]:
+    """What draws the run, if that was asked for, and who shows it."""
     if request.snapshot is None and request.video is None:
-        return None
+        return None, display
     from executive.runs.pictures import Pictures
 
-    return Pictures(request.snapshot, request.video)
+    if not request.panel:
+        return Pictures(request.snapshot, request.video), display
+    from executive.screens.film_panel import FilmPanel
+
+    panel = FilmPanel(display, f"{request.robot} in {request.scene}, seed {request.seed}")
+    return Pictures(request.snapshot, request.video, panel.picture), panel
 
 
 def _results(
@@ -215,6 +237,7 @@ def _results(
     keep: RunLog | None,
     ending: _Ending,
     on_assembly: Callable[[Assembly], None],
+    picture_slot: Path | None,
 ) -> tuple[list[Said], int, tuple[str, ...]]:
     """Run every statement; one that is not understood, and not expected so, stops all before it moves.
 
@@ -258,6 +281,7 @@ def _results(
         identity=settings.identity,
         calendar=Calendar(settings.begins or USUAL_START),
         labelling=labelling,
+        picture_slot=picture_slot,
     )
     plan_faults(assembly.world, request.faults)
     on_assembly(assembly)

@@ -34,6 +34,7 @@ class RunRequest:
         report: Where to write the report, or None.
         snapshot: Where to write a picture of the end, or None.
         video: Where to write a film, or None.
+        panel: Whether the film shows tree and log beside the picture.
         keep_trajectories: Whether the recorded run holds the motions that were judged.
         on_question: What becomes of questions.
         trust: How far a model's output is trusted.
@@ -57,6 +58,7 @@ class RunRequest:
     report: Path | None = None
     snapshot: Path | None = None
     video: Path | None = None
+    panel: bool = False
     keep_trajectories: bool = False
     on_question: OnQuestion = "ask"
     trust: Trust = field(default_factory=Trust)

@@ -124,28 +124,35 @@ class PlainDisplay:
         """Nothing to leave."""
 
 
-class LiveDisplay:
-    """Shows a run as a screen that is drawn again in place.
+class KeptScreen:
+    """Keeps what a screen shows of a run.
 
     Attributes:
         state: What is shown now.
     """
 
-    def __init__(self, console: Console, place: str = "", keys: bool = False) -> None:
+    def __init__(self, place: str = "", keys: bool = False) -> None:
         self.state = ScreenState(place=place, keys=keys)
-        self._console = console
-        self._live = Live(console=console, auto_refresh=False, transient=False)
-        self._wall = WallClock()
-        self._drawn_s = -REDRAW_S
         self._teller = _Teller()
-        self._tree: TaskTree | None = None
-        self._started = False
 
     def event(self, event: Event) -> None:
         """Take what it changes into the screen's state."""
         line = self._teller.line(event)
         log = (*self.state.log, line)[-_KEPT_LINES:] if line is not None else self.state.log
         self.state = replace(self.state, t_s=event.t_s, log=log, **_changes(event, self.state))
+
+
+class LiveDisplay(KeptScreen):
+    """Shows a run as a screen that is drawn again in place."""
+
+    def __init__(self, console: Console, place: str = "", keys: bool = False) -> None:
+        super().__init__(place, keys)
+        self._console = console
+        self._live = Live(console=console, auto_refresh=False, transient=False)
+        self._wall = WallClock()
+        self._drawn_s = -REDRAW_S
+        self._tree: TaskTree | None = None
+        self._started = False
 
     def tick(self, tree: TaskTree) -> None:
         """Draw when it is time to, and always at the end."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from executive.session.controlled_robot import ControlledRobot, session_on
 from executive.session.events import EventHub, EventSink
@@ -87,6 +88,7 @@ def assemble(
     identity: Identity | None = None,
     calendar: Calendar | None = None,
     labelling: Labelling = BY_SHAPE,
+    picture_slot: Path | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -107,6 +109,8 @@ def assemble(
         identity: What the robot says of itself; nothing when left out.
         calendar: What day and time it is; when left out the usual beginning of a simulated day.
         labelling: Who is asked, of the camera's pictures, what things are called.
+        picture_slot: Where the newest picture of the robot's own camera is shown to who wants it; None for
+            nowhere.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -133,6 +137,7 @@ def assemble(
         loop.sensing,
         model,
         labelling=labelling,
+        slot=picture_slot,
     )
 
     planning = PlanningJobs(MotionPlanner(model), TrajectoryChecker(model), clock, sink, on_judged=on_judged)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.checking.kinematics import WORLD, BatchedKinematics, BodyPoses
+from kinematics.checking.nearest_points import touching_place
 from kinematics.checking.pairs import Pairs
 from kinematics.checking.settings import CheckSettings
 from kinematics.checking.solids import Solid, distance_to_shape
@@ -110,9 +111,13 @@ class CollisionCheck:
                 (self._pairs.solids[self._pairs.first[pair]].name, self._second(pair).name),
                 contact.distance_m,
                 float(self._pairs.clearance_m[pair]),
+                touching_place(self._kinematics, self._timeline, self._two(pair), contact.t_s),
             )
             for pair, contact in self._contacts.items()
         ]
+
+    def _two(self, pair: int) -> tuple[Solid, Solid]:
+        return self._pairs.solids[int(self._pairs.first[pair])], self._second(pair)
 
     def _second(self, pair: int) -> Solid:
         return self._pairs.solids[int(self._pairs.second[pair])]

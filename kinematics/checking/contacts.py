@@ -14,6 +14,7 @@ from kinematics.checking.coal_certificate import CollisionCheck
 from kinematics.checking.compiled_course import Course, running_lengths
 from kinematics.checking.compiled_kinematics import CompiledKinematics
 from kinematics.checking.kinematics import WORLD
+from kinematics.checking.nearest_points import measured, touching_place
 from kinematics.checking.pairs import Pairs
 from kinematics.checking.settings import CheckSettings
 from kinematics.checking.solids import Solid
@@ -111,7 +112,10 @@ class ContactFinder:
                 doubted.append(pair)
                 continue
             names = tuple(pairs.solids[int(side[pair])].name for side in (pairs.first, pairs.second))
-            findings.append(Finding(pairs.kinds[pair], float(contact[pair]), names, float(value[row]), limit))
+            t_s = float(contact[pair])
+            two = [pairs.solids[int(side[pair])] for side in (pairs.first, pairs.second)]
+            place_m = touching_place(self._kinematics, timeline, two, t_s)
+            findings.append(Finding(pairs.kinds[pair], t_s, names, float(value[row]), limit, place_m))
         if doubted:
             some = pairs.only(np.array(doubted, np.intp))
             findings += CollisionCheck(self._kinematics, timeline, some, self._settings, jumps_s).findings()
@@ -123,22 +127,12 @@ class ContactFinder:
         """Coal's signed distances of some pairs, each at times of its own, shape of ``times_s``."""
         placed = self._kinematics.poses(timeline.at(times_s.ravel()))
         found = np.empty(times_s.shape)
-        request = coal.DistanceRequest()
-        request.enable_signed_distance = True
         for row, pair in enumerate(touching):
             two = [pairs.solids[int(side[pair])] for side in (pairs.first, pairs.second)]
             function = coal.ComputeDistance(two[0].geometry, two[1].geometry)
             for column in range(times_s.shape[1]):
                 at = row * times_s.shape[1] + column
-                places = [
-                    coal.Transform3s(
-                        rotation @ solid.body_T_solid[:3, :3],
-                        rotation @ solid.body_T_solid[:3, 3] + placed.origin_m[solid.body, at],
-                    )
-                    for solid in two
-                    for rotation in (placed.rotation[solid.body, at],)
-                ]
-                found[row, column] = function(places[0], places[1], request, coal.DistanceResult())
+                found[row, column] = measured(function, two, placed, at)[0]
         return found
 
     def _arrays(self, pairs: Pairs) -> tuple[Limbs, kernel.Solids, PairList]:

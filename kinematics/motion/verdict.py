@@ -43,6 +43,8 @@ class Finding:
         subject: The joint, or the two names of a colliding pair, or the sole.
         value: The measured quantity (rad, rad/s, m of distance, m of margin, ...).
         limit: What it had to keep to.
+        place_m: Where a pair first touches, midway between the nearest points of the two, in the odometry
+            frame; None for anything else, and where nobody measured it.
     """
 
     kind: FindingKind
@@ -50,6 +52,7 @@ class Finding:
     subject: tuple[str, ...]
     value: float
     limit: float
+    place_m: tuple[float, float, float] | None = None
 
     def __str__(self) -> str:
         names = " and ".join(self.subject)

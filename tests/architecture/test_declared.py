@@ -35,7 +35,7 @@ ROS |= {path.stem for path in NODE.glob("*.py")}
 
 
 def test_every_library_that_is_imported_is_declared():
-    names = ("ros", "mcp", "models", "camera", "view")
+    names = ("ros", "mcp", "models", "camera", "view", "record", "groot")
     extras = [line for name in names for line in PROJECT["optional-dependencies"][name]]
     declared = {
         re.match(r"[\w-]+", line)[0].lower().replace("_", "-") for line in [*PROJECT["dependencies"], *extras]

@@ -88,6 +88,7 @@ _TEXTS = {
     "tick": "Ticks of the behavior tree during real picks, but those in which planning was computed.\n",
     "control": "A control period with everything in it, beside physics alone.\n",
     "ros": "Joint states on the wire, from stamp to arrival, beside a bare pair of DDS at the same time.\n",
+    "view": "The page in Debian's Chromium without a graphics card, on the same cores; wall time.\n",
     "startup": "Fresh processes, beside one that only imports the libraries.\n",
 }
 

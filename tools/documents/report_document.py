@@ -48,6 +48,8 @@ class FindingDocument(Published):
     subject: list[str]
     value: Number
     limit: Number
+    place_m: list[float] | None = None
+    """Where a pair first touches, m, in the odometry frame; absent where nobody measured it."""
 
 
 class FailureDocument(Published):

@@ -1,7 +1,7 @@
-"""Draw the page of the browser: ``python -m tools.pictures.draw_view docs/pictures``.
+"""Draw the page of the browser: ``python -m tools.pictures.draw_view docs/pictures [--only NAME]``.
 
-Needs the extra ``view``, Playwright and Debian's Chromium. A run of the main job is recorded and shown again,
-so that the same moment is drawn each time: the hand on its way to the cup, in a window and on a phone.
+Needs the extras ``view`` and ``record``, Playwright and Debian's Chromium. Runs are recorded in motion and
+shown again, so that the same moments are drawn each time.
 """
 
 from __future__ import annotations
@@ -10,79 +10,95 @@ import argparse
 import shutil
 import tempfile
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
 
 from executive.doors.view.access import Access, new_token
 from executive.doors.view.page_server import PageServer
-from executive.doors.view.recording import Recording, recorded_again
+from executive.doors.view.recording import Recording, first_difference
 from executive.doors.view.timeline import Timeline
-from executive.runs.run import perform
-from executive.runs.run_log import recorded_runs
-from executive.runs.run_request import RunRequest
-from executive.screens.display import NoDisplay
-from executive.scripts.task_script import script_for
-from executive.trust import USUAL_TRUST
+from tools.pictures.view_runs import MAIN_JOB, RUNS, at_the_end, recorded, refused
 
-SENTENCE, ROBOT, SCENE = "pick up the red cup on the table", "talos", "tabletop"
-LEAF, SHARE = "stream reach", 0.7
-"""The moment: how much of the time of this leaf has passed."""
-SIZES = {"view": (1280, 800), "view_phone": (390, 844)}
+WINDOW, PHONE = (1280, 800), (390, 844)
 _ARGUMENTS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 _SETTLED_MS = 12_000.0
 _WITHIN_MS = 120_000.0
+NAMES = (*RUNS, "view_phone", "view_dark", "view_refused", "view_two")
 
 
-def recorded() -> Recording:
-    """The main job, carried out and seen again."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = script_for(SENTENCE, USUAL_TRUST, SCENE)
-        perform(RunRequest(SENTENCE, said.statements, ROBOT, SCENE, 0, Path(folder)), NoDisplay())
-        (run,) = recorded_runs(Path(folder))
-        return recorded_again(run, print)[0]
-
-
-def moment_s(recording: Recording) -> float:
-    """The time of the moment that is drawn."""
-    while_running = [
-        one.t_s
-        for one in recording.moments
-        if any(node["name"] == LEAF and node["status"] == "running" for node in one.nodes)
-    ]
-    return while_running[int(SHARE * len(while_running))]
-
-
-def draw(page: Page, address: str, target: Path) -> None:
+def draw(page: Page, address: str, asked: str, target: Path, dark: bool) -> None:
     """Draw what a browser shows."""
     page.set_default_timeout(_WITHIN_MS)
     page.goto(address)
-    page.get_by_text(SENTENCE).first.wait_for(state="attached")
+    page.get_by_text(asked).first.wait_for(state="attached")
     for notice in page.locator(".mantine-Notification-closeButton").all():
         notice.click()
+    if dark:
+        page.get_by_label("dark", exact=True).check()
     page.wait_for_timeout(_SETTLED_MS)
     page.screenshot(path=target)
+
+
+@contextmanager
+def shown(recording: Recording, t_s: float, other: Recording | None) -> Iterator[str]:
+    """The page of a run at a moment, while it is drawn; its address."""
+    over = threading.Event()
+    server = PageServer(0, Access(new_token()), "robot")
+    timeline = Timeline(server, recording, over.is_set, other)
+    timeline.go_to(t_s)
+    thread = threading.Thread(target=timeline.run)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.port}/"
+    finally:
+        over.set()
+        thread.join()
+        server.close()
+
+
+def moments(names: list[str], folder: Path) -> Iterator[tuple[str, Recording, float, Recording | None]]:
+    """Each picture's name, run and moment, and the run beside it."""
+    main: Recording | None = None
+    for name in names:
+        place = folder / name
+        place.mkdir()
+        if name == "view_refused":
+            recording = refused(place)
+            yield name, recording, at_the_end(recording), None
+        elif name in RUNS and name != "view":
+            recording = recorded(RUNS[name], place)
+            yield name, recording, RUNS[name].at_s(recording), None
+        else:
+            main = main or recorded(MAIN_JOB, place)
+            if name != "view_two":
+                yield name, main, MAIN_JOB.at_s(main), None
+                continue
+            (place / "other").mkdir()
+            other = recorded(replace(MAIN_JOB, seed=1), place / "other")
+            differs = first_difference(main, other)
+            yield name, main, 0.0 if differs is None else differs.t_s + 2.0, other
 
 
 def main() -> None:
     """Draw the pictures into a folder."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
-    folder = parser.parse_args().folder
-    recording, over = recorded(), threading.Event()
-    server = PageServer(0, Access(new_token()), "robot")
-    timeline = Timeline(server, recording, over.is_set)
-    timeline.go_to(moment_s(recording))
-    threading.Thread(target=timeline.run, daemon=True).start()
-    with sync_playwright() as playwright:
+    parser.add_argument("--only", choices=NAMES, action="append", help="draw this one; may be said again")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(_ARGUMENTS))
-        for name, (width, height) in SIZES.items():
+        for name, recording, t_s, other in moments(arguments.only or list(NAMES), Path(folder)):
+            width, height = PHONE if name == "view_phone" else WINDOW
             page = browser.new_page(viewport={"width": width, "height": height})
-            draw(page, f"http://127.0.0.1:{server.port}/", folder / f"{name}.png")
+            with shown(recording, t_s, other) as address:
+                draw(page, address, recording.asked, arguments.folder / f"{name}.png", name == "view_dark")
             page.close()
+            print(f"drew {name} at {t_s:.2f} s")
         browser.close()
-    over.set()
-    server.close()
 
 
 if __name__ == "__main__":

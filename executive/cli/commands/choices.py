@@ -159,6 +159,15 @@ ViewPortOption = Annotated[
     int, typer.Option(parser=whole_number_from(0, 65535), metavar="N", help="Of 127.0.0.1; 0 is any.")
 ]
 
+GROOT_PORT = 1667
+GrootOption = Annotated[bool, typer.Option("--groot", help="Let Groot2 of this machine monitor the tree.")]
+GrootPortOption = Annotated[
+    int,
+    typer.Option(
+        parser=whole_number_from(1, 65534), metavar="N", help="Of 127.0.0.1; the next is taken too."
+    ),
+]
+
 
 def options_of(given: Mapping[str, object]) -> list[str]:
     """Options as ``executive serve`` takes them; those without a value are left out."""

@@ -15,6 +15,9 @@ def replay(
     run: Annotated[
         str, typer.Argument(metavar="[RUN]", help="A run's name or folder; the latest by default.")
     ] = "latest",
+    other: Annotated[
+        str | None, typer.Argument(metavar="[OTHER]", help="With --view: another run, beside it.")
+    ] = None,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder of the recorded runs.")] = None,
     view: Annotated[
         bool, typer.Option("--view", help="Then show it, to scrub through, in a browser.")
@@ -22,17 +25,23 @@ def replay(
     view_port: ViewPortOption = VIEW_PORT,
 ) -> None:
     """Run a recorded run again, and tell the first event that differs."""
+    if other is not None and not view:
+        raise typer.BadParameter("two runs are put beside each other by --view alone")
+
+    def tell(line: str) -> None:
+        typer.echo(line, err=True)
+
     if view:
         from executive.doors.companion import require_extra
 
         require_extra("view", "viser", "trimesh")
         from executive.doors.view.shown_again import show_again
 
-        raise typer.Exit(show_again(run, record, view_port, lambda line: typer.echo(line, err=True)))
+        raise typer.Exit(show_again(run, record, view_port, tell, other))
     from executive.runs.replay import replay as run_again
     from executive.runs.run_search import find_run
 
-    verdict = run_again(find_run(run, record), lambda line: typer.echo(line, err=True))
+    verdict = run_again(find_run(run, record), tell)
     for line in verdict.lines():
         typer.echo(line)
     raise typer.Exit(ExitCode.DONE if verdict.difference is None else ExitCode.FAILED)

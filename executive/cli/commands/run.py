@@ -11,10 +11,13 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from executive.cli.commands.choices import (
+    GROOT_PORT,
     LOOPBACK,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
+    GrootOption,
+    GrootPortOption,
     ModelOption,
     OnQuestionChoice,
     OnQuestionOption,
@@ -41,6 +44,7 @@ from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
     from executive.dialogue.attendant import Attendant
+    from executive.doors.recorder.feed import RunFeed
     from executive.screens.display import Display
     from robots.perception.labels.asking import AskAboutPictures
 
@@ -64,8 +68,11 @@ def run(
     report: Annotated[Path | None, typer.Option(metavar="FILE.json", help="Write the report here.")] = None,
     snapshot: Annotated[Path | None, typer.Option(metavar="FILE.png", help="A picture of the end.")] = None,
     video: Annotated[Path | None, typer.Option(metavar="FILE.mp4", help="A film of the run.")] = None,
+    panel: Annotated[
+        bool, typer.Option("--panel", help="In the film, tree and log beside the picture.")
+    ] = False,
     record: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories too.")
+        Path | None, typer.Option(metavar="DIR", help="Record the run here, its trajectories and motion too.")
     ] = None,
     junit: Annotated[Path | None, typer.Option(metavar="FILE.xml", help="Write a JUnit report here.")] = None,
     on_question: OnQuestionOption = OnQuestionChoice.ASK,
@@ -75,7 +82,7 @@ def run(
         PaceChoice | None,
         typer.Option(
             help="As fast as the machine computes, or as time passes.",
-            show_default="fast; with --ros or --view as time passes",
+            show_default="fast; with --ros, --view or --groot as time passes",
         ),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Nothing but the result.")] = False,
@@ -91,6 +98,8 @@ def run(
     ros_interface: RosInterfaceOption = LOOPBACK,
     view: ViewOption = False,
     view_port: ViewPortOption = VIEW_PORT,
+    groot: GrootOption = False,
+    groot_port: GrootPortOption = GROOT_PORT,
 ) -> None:
     """Carry out one sentence, or a task script."""
     from executive.checks.machine import compile_kernel
@@ -102,7 +111,9 @@ def run(
     use_config(config)
     trust = Trust(confidence, policy.value)
     script = script_for(text, trust, scene)
-    doors = ["--ros"] * ros + ["--view"] * view
+    if panel and video is None:
+        raise typer.BadParameter("--panel stands beside the picture of --video FILE.mp4")
+    doors = ["--ros"] * ros + ["--view"] * view + ["--groot"] * groot
     if doors:
         asked = None if on_question is OnQuestionChoice.ASK else on_question
         _refuse_with(
@@ -128,8 +139,10 @@ def run(
             "ros-namespace": ros_namespace,
             "ros-interface": ros_interface,
             "view-port": view_port,
+            "groot-port": groot_port,
         }
-        _run_served(text, [*options_of(served), *doors, *(["--yes"] if yes else [])], len(doors), quiet)
+        listeners = ros + view
+        _run_served(text, [*options_of(served), *doors, *(["--yes"] if yes else [])], listeners, quiet)
     asker, front = None, None
     if model is not None:
         from executive.doors.model.front_model import front_model
@@ -146,6 +159,7 @@ def run(
         report=report,
         snapshot=snapshot,
         video=video,
+        panel=panel,
         on_question=on_question.value,
         trust=trust,
         in_real_time=pace is PaceChoice.REAL,
@@ -162,14 +176,36 @@ def run(
             terminal.enter_context(asker)
         display, attendant = _terminal(request, quiet, plain, terminal, lambda: cancellation.asked)
         note_folder(request.record)
+        recorded = _recorded(display) if record is not None else None
+        display = recorded or display
         try:
-            performance = perform(request, display, attendant, cancellation=cancellation)
+            performance = perform(
+                request,
+                display,
+                attendant,
+                cancellation=cancellation,
+                on_assembly=lambda assembly: recorded.begin(assembly) if recorded else None,
+                on_record=lambda folder, header: recorded.record(folder, header) if recorded else None,
+            )
         finally:
             display.close()
     for complaint in performance.complaints:
         typer.echo(f"executive: {complaint}", err=True)
     tell_result(performance.line)
     raise typer.Exit(performance.exit_code)
+
+
+def _recorded(display: Display) -> RunFeed | None:
+    """A display that records the motion besides; None where what that needs is missing, and that is said."""
+    from executive.doors.recorder.feed import RunFeed, complaint_without_extra
+
+    def complain(line: str) -> None:
+        typer.echo(f"executive: {line}", err=True)
+
+    if (missing := complaint_without_extra()) is not None:
+        complain(missing)
+        return None
+    return RunFeed(display, complain)
 
 
 def _seeing_model() -> AskAboutPictures | None:

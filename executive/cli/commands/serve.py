@@ -10,12 +10,15 @@ from typing import Annotated
 import typer
 
 from executive.cli.commands.choices import (
+    GROOT_PORT,
     LOOPBACK,
     REAL_PACE,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
+    GrootOption,
+    GrootPortOption,
     ModelOption,
     PerceptionOption,
     PolicyChoice,
@@ -51,7 +54,9 @@ def serve(
     seed: Annotated[
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
     ] = 0,
-    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record the runs here.")] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Record the runs here, their motion too.")
+    ] = None,
     pace: ServedPaceOption = REAL_PACE,
     confidence: ConfidenceOption = THRESHOLD,
     policy: PolicyOption = PolicyChoice.ASK,
@@ -69,6 +74,8 @@ def serve(
     ros_interface: RosInterfaceOption = LOOPBACK,
     view: ViewOption = False,
     view_port: ViewPortOption = VIEW_PORT,
+    groot: GrootOption = False,
+    groot_port: GrootPortOption = GROOT_PORT,
     model: ModelOption = None,
     yes: YesOption = False,
     config: ConfigOption = None,
@@ -91,6 +98,8 @@ def serve(
     doors = {
         "the ROS bridge": _bridge(where, ros_domain, ros_namespace, ros_interface) if ros else [],
         "the page": _page(where, view_port) if view else [],
+        "the monitor for Groot2": _monitor(where, groot_port) if groot else [],
+        "the recorder": _recorder(where) if record is not None else [],
     }
     use_config(config)
 
@@ -158,3 +167,21 @@ def _page(folder: Path, port: int) -> list[str]:
 
     require_extra("view", "viser", "trimesh")
     return [sys.executable, "-m", "executive.doors.view.view_process", str(folder), str(port)]
+
+
+def _monitor(folder: Path, port: int) -> list[str]:
+    """How what Groot2 connects to is started."""
+    from executive.doors.companion import require_extra
+
+    require_extra("groot", "zmq", "msgpack")
+    return [sys.executable, "-m", "executive.doors.groot.groot_process", str(folder), str(port)]
+
+
+def _recorder(folder: Path) -> list[str]:
+    """How what records motion is started; nothing, and that is said, where it is not installed."""
+    from executive.doors.recorder.feed import complaint_without_extra
+
+    if (missing := complaint_without_extra()) is not None:
+        typer.echo(f"executive: {missing}", err=True)
+        return []
+    return [sys.executable, "-m", "executive.doors.recorder.served_recorder", str(folder)]

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from executive.doors.view.robot_drawing import RobotDrawing
 from kinematics.errors import KinematicsError
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
 from kinematics.model.support_polygon import SupportPolygon
 from robots.live.documents.robot_report import RobotReport
 
@@ -24,6 +25,8 @@ _FELT_N = 20.0
 _ABOVE_M = 0.004
 _COM, _ZMP, _POLYGON = (48, 96, 208), (208, 80, 32), (40, 140, 90)
 _VIEW_M = 0.5
+_PICTURE_EVERY = 4
+"""Pixels of a picture of which one is shown, along each side."""
 
 Floats = NDArray[np.float64]
 
@@ -50,11 +53,16 @@ def balance_of(model: RobotModel, report: RobotReport) -> Balance:
     1972).
     """
     soles = model.description.soles
+    stance, carrying = report.stance, soles
+    if report.walking:  # the stance is where it stood before, and feet swing
+        felt = report.sensed.readings.foot_wrench[:, 2]
+        carrying = tuple(sole for sole, fz in zip(soles, felt, strict=True) if fz >= _FELT_N)
+        stance = Stance(tuple((one.frame, model.frame_pose(report.sensed.q, one.frame)) for one in carrying))
     try:
-        polygon = SupportPolygon(report.stance, soles).vertices_m
+        polygon = SupportPolygon(stance, carrying).vertices_m
     except KinematicsError:
         polygon = np.zeros((0, 2))
-    poses = dict(report.stance.soles)
+    poses = dict(stance.soles)
     pressed, total_n = np.zeros(2), 0.0
     for sole, (_, _, fz, tx, ty, _) in zip(soles, report.sensed.readings.foot_wrench.tolist(), strict=True):
         if fz < _FELT_N or sole.frame not in poses:
@@ -80,10 +88,11 @@ class BalanceDrawing:
         self._polygon: viser.LineSegmentsHandle | None = None
         self._com = scene.add_icosphere("/balance/com", 0.018, _COM, subdivisions=2, cast_shadow=False)
         self._zmp = scene.add_icosphere("/balance/zmp", 0.018, _ZMP, subdivisions=2, cast_shadow=False)
+        self._view: viser.CameraFrustumHandle | None = None
         camera = model.description.head_camera
         if camera is not None:
             vertical, horizontal = camera.vertical_fov_rad, camera.horizontal_fov_rad
-            scene.add_camera_frustum(
+            self._view = scene.add_camera_frustum(
                 f"{robot.path_of(camera.frame)}/view",
                 vertical,
                 math.tan(0.5 * horizontal) / math.tan(0.5 * vertical),
@@ -91,6 +100,11 @@ class BalanceDrawing:
                 thickness=0.004,
                 color=(220, 160, 40),
             )
+
+    def look(self, color: NDArray[np.uint8]) -> None:
+        """Show a picture of the camera in its view, shape (height, width, 3)."""
+        if self._view is not None:
+            self._view.image = color[::_PICTURE_EVERY, ::_PICTURE_EVERY]
 
     def show(self, balance: Balance) -> None:
         """Draw it as it is now."""

@@ -16,6 +16,7 @@ from executive.doors.served_robot import RESET_IS_A_PERSONS, ServedRobot
 from executive.doors.view import panels
 from executive.doors.view.access import Access
 from executive.doors.view.seen import Level, LogLine, Seen
+from executive.doors.view.truth_drawing import Switch
 from executive.errors import UserError
 from robots.live.wire.errors import LiveError
 
@@ -32,6 +33,8 @@ class Browser:
         access: Knows the token.
         note: Takes a line for the log.
         may_command: Whether it has come with the token.
+        look: Lets it look at the robot, wherever that has gone.
+        show_truth: Shows the simulator's truth, or no longer; None where there is none to show.
     """
 
     def __init__(
@@ -41,6 +44,8 @@ class Browser:
         access: Access,
         note: Callable[[LogLine], None],
         may_command: bool,
+        show_truth: Switch | None = None,
+        look: Callable[[], None] = lambda: None,
     ) -> None:
         self._client, self._robot, self._access, self._note = client, robot, access, note
         self._seen = Seen()
@@ -64,10 +69,14 @@ class Browser:
             else:
                 self._add_token()
         self._ending = gui.add_html("")
+        gui.add_command("look at the robot", hotkey="L", modifier="alt").on_trigger(lambda _event: look())
         dark = gui.add_checkbox("dark", False)
         dark.on_update(
             lambda _event: gui.configure_theme(show_logo=False, show_share_button=False, dark_mode=dark.value)
         )
+        if show_truth is not None:
+            truth = gui.add_checkbox("the simulator's truth", False)
+            truth.on_update(lambda _event: show_truth(truth.value))
         self._add_left()
 
     def show(self, seen: Seen) -> None:

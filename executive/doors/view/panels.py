@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
 
+from executive.doors.view.recording import FirstDifference
 from executive.doors.view.seen import Level, LogLine, Seen
 from executive.reports.feedback import quantity, sentence
 from executive.runs.recorded_failure import failure_from
@@ -141,11 +142,28 @@ def log_panel(log: Sequence[LogLine], least: Level = "info") -> str:
     return _block(rows, f"{_SCROLLS};display:flex;flex-direction:column-reverse")
 
 
-def question_panel(question: Mapping[str, Any]) -> str:
-    """What is asked."""
+def question_panel(question: Mapping[str, Any], with_choices: bool = False) -> str:
+    """What is asked.
+
+    Args:
+        question: With ``text``, and perhaps ``tried`` and ``choices``.
+        with_choices: Whether the choices are told as well, where no buttons do.
+    """
     tried = str(question.get("tried") or "")
     wrong = f"<i>{escape(tried)}</i>" if tried else ""
-    return _block([wrong, f"<b>{escape(str(question['text']))}</b>"])
+    told = question.get("choices", ()) if with_choices else ()
+    choices = " · ".join(escape(str(one)) for one in told)
+    return _block([wrong, f"<b>{escape(str(question['text']))}</b>", choices])
+
+
+def difference_panel(differs: FirstDifference | None) -> str:
+    """The first event in which two runs differ, as it was in each."""
+    if differs is None:
+        return _block(["both runs are the same, event by event"])
+    rows = [f"<b>event {differs.number} differs</b>"]
+    for number, told in enumerate((differs.first, differs.second), start=1):
+        rows.append(f"{number}: {escape(told) or '<i>no more events</i>'}")
+    return _block(rows)
 
 
 def _alarm(text: str) -> str:

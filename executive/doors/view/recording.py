@@ -9,11 +9,13 @@ from __future__ import annotations
 import bisect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
+from executive.doors.recorder.feed import report_of
 from executive.doors.view.seen import LogLine, log_line
 from executive.live.told_as_json import tree_json
-from executive.live.world_as_json import world_json
+from executive.live.world_as_json import believed_json
 from executive.reports.feedback import line_for
 from executive.runs.replay import ReplayVerdict, replay
 from executive.runs.run_log import RecordedRun
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
     from trees.build import TaskTree
 
 MOMENT_EVERY_S = 1.0 / 30.0
+_GLANCE = 160
+_FOR_THE_DIGEST = frozenset({"PlanningAnswered", "SensorsNoted"})
 _FAILURES = frozenset({"LeafFailed", "SetpointRefused", "EmergencyStopped", "TaskRefused"})
 
 
@@ -97,6 +101,52 @@ class Recording:
         return next((t_s for t_s in times if t_s > after_s + 1e-6), times[0] if times else None)
 
 
+@dataclass(frozen=True, slots=True)
+class FirstDifference:
+    """The first event in which two runs differ.
+
+    Attributes:
+        t_s: Simulated time at which it happened in the run in which it came first.
+        number: Of the event, from 1.
+        first, second: Its lines for people in the two runs, or what kind of event it is; empty where there is
+            none any more.
+    """
+
+    t_s: float
+    number: int
+    first: str
+    second: str
+
+
+def first_difference(one: Recording, other: Recording) -> FirstDifference | None:
+    """The first event in which two runs differ; None where they are the same.
+
+    Events for the digest alone tell people nothing, and are not told of a live run: they count where nothing
+    else differs and both runs have them.
+    """
+    kinds = [{event["event"] for event in run.events} for run in (one, other)]
+    differs = _first_difference(one, other, _FOR_THE_DIGEST)
+    return differs or _first_difference(one, other, _FOR_THE_DIGEST - (kinds[0] & kinds[1]))
+
+
+def _first_difference(one: Recording, other: Recording, left_out: frozenset[str]) -> FirstDifference | None:
+    kept = [[event for event in run.events if event["event"] not in left_out] for run in (one, other)]
+    for number, (first, second) in enumerate(zip_longest(*kept), start=1):
+        if first == second:
+            continue
+        times = [float(event.get("t_s", 0.0)) for event in (first, second) if event is not None]
+        return FirstDifference(min(times), number, _told(first), _told(second))
+    return None
+
+
+def _told(event: Mapping[str, Any] | None) -> str:
+    """What kind of event it is, with its numbers and words, cut to what is read at a glance."""
+    if event is None:
+        return ""
+    rest = ", ".join(f"{key} {value}" for key, value in event.items() if key not in ("event", "t_s"))
+    return f"{event['event']} at {float(event.get('t_s', 0.0)):.2f} s: {rest}"[:_GLANCE]
+
+
 def is_failure(event: Mapping[str, Any]) -> bool:
     """Whether an event tells that something failed, was refused or stopped."""
     kind = event["event"]
@@ -157,16 +207,7 @@ class _Keeper:
         if assembly is None or (t_s := assembly.clock.now_s()) < self._due_s:
             return
         self._due_s = t_s + MOMENT_EVERY_S
-        loop, before = assembly.loop, self._recording.moments
-        report = RobotReport(
-            t_s=t_s,
-            resting=loop.motion.resting and not loop.walking.active,
-            walking=loop.walking.active,
-            sensed=loop.sensing.state(),
-            reference=loop.motion.reference(),
-            stance=loop.motion.stance(),
-            grippers={hand: gripper.reading() for hand, gripper in loop.grippers.items()},
-        )
+        before, report = self._recording.moments, report_of(assembly.loop, t_s)
         nodes: Sequence[Mapping[str, Any]] = before[-1].nodes if before else ()
         if self._tree is not None:
             told = tree_json(self._tree.snapshot(t_s).root)
@@ -176,7 +217,9 @@ class _Keeper:
     def _believed(self, assembly: Assembly) -> Mapping[str, Any]:
         """What is believed; made anew only where it has changed."""
         world = assembly.session.toolbox.world
-        now = (world.scene.version, world.sightings)
+        planned = assembly.loop.motion.planned
+        now = (world.scene.version, world.sightings, id(planned))
         if now != self._seen_of:
-            self._seen_of, self._world = now, world_json(world)
+            self._seen_of = now
+            self._world = believed_json(assembly.session.toolbox, planned)
         return self._world

@@ -14,6 +14,8 @@ from kinematics.model.robot_description import RobotDescription
 
 ROOT = "/robot"
 REFUSED = (224, 32, 32)
+_DARKEST = 110
+"""Black links would not be seen on a dark page."""
 _STILL = 3e-4
 """A frame that has moved by less, m or in its quaternion, is not sent: what stands trembles by that much."""
 
@@ -91,10 +93,12 @@ class RobotDrawing:
         self._solids: dict[str, list[tuple[viser.MeshHandle, tuple[int, int, int]]]] = {}
         for number, mesh in enumerate(link_meshes(description.urdf)):
             name = f"{self._frames.paths.get(mesh.link, ROOT)}/solid_{number}"
+            red, green, blue = (max(one, _DARKEST) for one in mesh.rgb)
+            rgb = red, green, blue
             handle = scene.add_mesh_simple(
-                name, mesh.vertices, mesh.faces, color=mesh.rgb, flat_shading=True, side="double"
+                name, mesh.vertices, mesh.faces, color=rgb, flat_shading=True, side="double"
             )
-            self._solids.setdefault(mesh.link, []).append((handle, mesh.rgb))
+            self._solids.setdefault(mesh.link, []).append((handle, rgb))
         self._refused: frozenset[str] = frozenset()
 
     def move(self, q: Floats, base: Floats) -> None:

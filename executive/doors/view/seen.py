@@ -106,6 +106,22 @@ def result_line(text: str, t_s: float) -> LogLine | None:
     return LogLine(t_s, text, _OUTCOMES[outcome])
 
 
+def refused_place(failure: Mapping[str, Any] | None) -> tuple[float, float, float] | None:
+    """Where the pair of a refused motion would have touched, m, in the odometry frame; None where none told.
+
+    Args:
+        failure: A failure as JSON; the innermost finding of its chain counts.
+    """
+    place: tuple[float, float, float] | None = None
+    while failure is not None:
+        finding = failure.get("finding")
+        if isinstance(finding, Mapping):
+            told = finding.get("place_m")
+            place = None if told is None else (float(told[0]), float(told[1]), float(told[2]))
+        failure = failure.get("cause")
+    return place
+
+
 def refused_pair(failure: Mapping[str, Any] | None) -> tuple[str, ...]:
     """The names of what the checker found too near to each other; empty where no failure tells of any.
 

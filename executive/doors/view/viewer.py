@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -12,10 +13,13 @@ from executive.doors.served_robot import ServedRobot
 from executive.doors.view.access import Access
 from executive.doors.view.balance_drawing import BalanceDrawing, balance_of
 from executive.doors.view.browser import Browser
+from executive.doors.view.map_drawing import MapDrawing
 from executive.doors.view.observer import Observer
 from executive.doors.view.page_server import PageServer
+from executive.doors.view.plan_drawing import PlanDrawing
 from executive.doors.view.robot_drawing import RobotDrawing
-from executive.doors.view.seen import refused_pair
+from executive.doors.view.seen import refused_pair, refused_place
+from executive.doors.view.truth_drawing import TruthDrawing
 from executive.doors.view.world_drawing import WorldDrawing, drawn
 from executive.live.caller.caller import ask_at
 from kinematics.model.robot_model import RobotModel
@@ -26,6 +30,7 @@ from robots.live.wire.messages import GetStatus, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotReader
 from robots.models.description import load_description
+from robots.perception.rgbd.picture_slot import PictureSlotReader
 
 DRAWN_EVERY_S = 1.0 / 30.0
 _BALANCE_EVERY, _WORDS_EVERY, _WORLD_EVERY = 3, 1, 6
@@ -60,6 +65,11 @@ class Viewer:
         self._body = RobotDrawing(scene, model.description)
         self._world = WorldDrawing(scene)
         self._balance = BalanceDrawing(scene, model, self._body)
+        self._plan, self._map = PlanDrawing(scene, model.description), MapDrawing(scene)
+        evaluation = where.evaluation_socket
+        self._truth = TruthDrawing(scene, evaluation) if evaluation.exists() else None
+        self._pictures = PictureSlotReader(where.picture_slot) if about.get("perception") == "rgbd" else None
+        self._slot_path = where.state_slot
         self._lock = threading.Lock()
         self._browsers: dict[int, Browser] = {}
         self._page.on_client_disconnect(self._gone)
@@ -77,6 +87,9 @@ class Viewer:
         self._observer.close()
 
     def _draw(self, drawings: int) -> None:
+        if self._pictures is not None:
+            with contextlib.suppress(OSError):  # asked again with the next drawing
+                self._pictures.want(bool(self._browsers))
         if not self._browsers:
             return  # a browser that comes is told everything anew
         row = self._slot.newest()
@@ -85,21 +98,51 @@ class Viewer:
             self._body.move(report.sensed.readings.q, report.sensed.q[:7])
             if drawings % _BALANCE_EVERY == 0:
                 self._balance.show(balance_of(self._model, report))
+                self._plan.landings(report.landings)
+                if self._truth is not None:
+                    self._truth.show(report.sensed.q[:7])
         seen = self._observer.seen()
         if drawings % _WORLD_EVERY == 0:
             marked = refused_pair(seen.failure)
             self._body.mark(marked)
-            things = [drawn(one, marked) for one in self._observer.world()["things"]]
+            self._plan.refused_at(refused_place(seen.failure))
+            world = self._observer.world()
+            self._plan.paths(world.get("paths", ()))
+            self._map.show(world.get("rooms", ()))
+            things = [drawn(one, marked) for one in world["things"]]
             frames = {one.held: self._body.path_of(one.held) for one in things if one.held}
             self._world.show(things, frames)
+            if self._pictures is not None and (shown := self._pictures.newest()) is not None:
+                self._balance.look(shown.color)
         for browser in list(self._browsers.values()):
             browser.show(seen)
 
     def _welcome(self, client: viser.ClientHandle, may_command: bool) -> None:
-        look_from_the_side(client)
-        browser = Browser(client, self._robot, self._access, self._observer.note, may_command)
+        look_from_the_side(client, *self._place())
+        switch = None if self._truth is None else self._want_truth
+        browser = Browser(
+            client,
+            self._robot,
+            self._access,
+            self._observer.note,
+            may_command,
+            switch,
+            lambda: look_from_the_side(client, *self._place()),
+        )
         with self._lock:
             self._browsers = {**self._browsers, client.client_id: browser}
+
+    def _place(self) -> tuple[float, float]:
+        """Where the robot is now, whether or not it was drawn there."""
+        row = StateSlotReader(self._slot_path).newest()
+        if row is None:
+            return 0.0, 0.0
+        x_m, y_m = self._layout.report(row).sensed.q[:2].tolist()
+        return float(x_m), float(y_m)
+
+    def _want_truth(self, wanted: bool) -> None:
+        if self._truth is not None:
+            self._truth.wanted = wanted
 
     def _gone(self, client: viser.ClientHandle) -> None:
         with self._lock:
@@ -118,10 +161,19 @@ def prepare(scene: viser.SceneApi) -> None:
     scene.add_grid("/floor", 20.0, 20.0, cell_size=0.5, section_size=1.0)
 
 
-def look_from_the_side(client: viser.ClientHandle) -> None:
-    """Where a browser looks from at first."""
+def look_from_the_side(
+    client: viser.ClientHandle, x_m: float = 0.0, y_m: float = 0.0, farther: float = 1.0
+) -> None:
+    """Let a browser look at the robot from ahead and aside.
+
+    Args:
+        client: The browser.
+        x_m, y_m: Where the robot is drawn.
+        farther: Times as far as is usual.
+    """
     client.camera.up_direction = (0.0, 0.0, 1.0)
-    client.camera.position, client.camera.look_at = (1.9, -1.5, 1.5), (0.35, 0.0, 0.85)
+    client.camera.position = (x_m + 0.35 + 1.55 * farther, y_m - 1.5 * farther, 0.85 + 0.65 * farther)
+    client.camera.look_at = (x_m + 0.35, y_m, 0.85)
 
 
 def _told(where: RuntimeFolder, wall: WallClock, ended: Callable[[], bool]) -> dict[str, object]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from executive.live.control_client.control_link import ControlLink
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
 from robots.control.guarded.guarded_motion import GuardedMotion
 from robots.control.motion_handle import MotionHandle, MotionStatus
@@ -25,6 +26,7 @@ class MotionClient:
         self._link = link
         self._count = 0
         self._admitted: list[tuple[CheckedTrajectory, int]] = []
+        self._streamed: tuple[MotionHandle, Trajectory] | None = None
 
     @property
     def period_s(self) -> float:
@@ -45,7 +47,15 @@ class MotionClient:
         if number is None:
             return refused(handle, "the control process has not admitted it")
         self._link.start(handle, count, number)
+        self._streamed = handle, motion.trajectory
         return handle
+
+    @property
+    def planned(self) -> Trajectory | None:
+        """The trajectory that is streamed; None while none is."""
+        if self._streamed is None or self._streamed[0].finished:
+            return None
+        return self._streamed[1]
 
     def start_guarded(self, name: str, hand: Hand) -> MotionHandle:
         """Ask for a guarded motion that the other side makes."""

@@ -17,6 +17,7 @@ from executive.live.desk_messages import (
     DeskMessage,
     FollowTrajectory,
     GetScene,
+    GetTree,
     GetWorld,
     HandBack,
     Jog,
@@ -30,6 +31,7 @@ from executive.live.desk_messages import (
     Velocity,
     Watch,
 )
+from executive.live.served_executive.tree_file import TreeFile
 from executive.live.served_executive.watchers import Watchers
 from executive.manual.words import BY_HAND, ENDINGS, ByHandTask, Ending
 from executive.meaning import Parsed
@@ -41,6 +43,7 @@ from robots.live.wire.connection import Connection
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.framing import Frame
 from robots.live.wire.messages import GetStatus, read_object, strictly, write_message
+from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.socket_server import SocketServer
 from trees.tasks import MoveTask
 
@@ -207,6 +210,7 @@ class Desk:
         question: What is asked and not answered yet, or None.
         given: Answers that have come, the oldest first.
         watchers: Who hears of events and trees.
+        trees: Writes the tree under way down.
     """
 
     def __init__(
@@ -221,7 +225,7 @@ class Desk:
         self._begun: dict[Connection, list[ScriptLine]] = {}
         self._person: Connection | None = None
         self._listeners: list[Connection] = []
-        self.watchers = Watchers()
+        self.watchers, self.trees = Watchers(), TreeFile(RuntimeFolder(path.parent).tree_document)
         self.current: Order | None = None
         self.question: OpenQuestion | None = None
         self.given: list[str] = []
@@ -255,6 +259,8 @@ class Desk:
                 connection.send(write_message("scene", things=list(self._attended.scene())))
             case GetWorld():
                 connection.send(write_message("world", **self._attended.world()))
+            case GetTree():
+                connection.send(write_message("tree_document", **self.trees.written()))
             case Watch():
                 self.watchers.add(connection)
                 connection.send(write_message("done"))

@@ -30,7 +30,7 @@ from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.given_trajectory import load_joint_motion
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.told_as_json import scene_json, tree_json
-from executive.live.world_as_json import world_json
+from executive.live.world_as_json import believed_json
 from executive.manual.words import BY_HAND, ByHandTask, Ending
 from executive.meaning import Command, Parsed, Refusal, StopCommand
 from executive.robot_settings import robot_settings
@@ -112,7 +112,7 @@ class LiveExecutive:
         self._last_tree: Sequence[Mapping[str, Any]] | None = None
         self._desk = Desk(folder.executive_socket, self, _is_stop)
         link.listen(self._note)
-        motion = MotionClient(link)
+        self._motion = motion = MotionClient(link)
         detector = DetectorClient(link)
         self._velocities = VelocityFeed()
         ranging = RangingClient(link)
@@ -204,7 +204,7 @@ class LiveExecutive:
 
     def world(self) -> Mapping[str, Any]:
         """What is believed of the world, as JSON values."""
-        return world_json(self._session.toolbox.world)
+        return believed_json(self._session.toolbox, self._motion.planned)
 
     # ---------------------------------------------------------------- an order
 
@@ -216,6 +216,7 @@ class LiveExecutive:
         subject = RunSubject(name_of(said), str(about["robot"]), str(about["scene"]), int(about["seed"]))
         try:
             with RunLog(self._record, {**subject.header(), "live": True}) as log:
+                self._desk.watchers.run_begins(str(log.path))
                 self._account = account = RunAccount(subject, log, display.event)
                 lost: ControlLostError | None = None
                 results: list[Said] = []
@@ -238,6 +239,7 @@ class LiveExecutive:
             raise
         finally:
             self._tell_tree(last=True)
+            self._desk.watchers.run_ended()
             self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
@@ -357,6 +359,7 @@ class LiveExecutive:
 
     def _show(self, tree: TaskTree) -> None:
         self._tree = tree
+        self._desk.trees.note(tree)
         self._tell_tree()
         if self._display is not None:
             self._display.tick(tree)
@@ -365,7 +368,7 @@ class LiveExecutive:
         """Let those who watch see the tree as it stands."""
         if (tree := self._tree) is not None:
             now_s = self._link.now_s
-            self._desk.watchers.tree(lambda: tree.snapshot(now_s), now_s, last)
+            self._desk.watchers.tree(lambda: tree.snapshot(now_s), now_s, last, self._desk.trees.number)
 
 
 class _LineStream:

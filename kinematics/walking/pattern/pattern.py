@@ -153,6 +153,12 @@ class WalkingPattern:
         """Where the foot in the air is going to land."""
         return self._swing.goal if self._swing is not None else None
 
+    @property
+    def landings(self) -> list[tuple[Hand, PlanarPose]]:
+        """The landings that are planned next, in the odometry frame: which foot, and where; none at rest."""
+        ahead = {Phase.SWING: self._steps, Phase.LAND: self._steps[1:]}.get(self.phase, [])
+        return [(step.side, self.odom_T_plan @ step.pose) for step in ahead]
+
     def advance(self, period_s: float) -> PatternSample:
         """Go on by a control period."""
         self._since_s += period_s

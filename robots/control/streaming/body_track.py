@@ -74,6 +74,11 @@ class BodyTrack:
         return self._paused_at_s is not None
 
     @property
+    def planned(self) -> Trajectory | None:
+        """The trajectory that is played; None while it brakes, holds or is placed."""
+        return self._trajectory if self._sampler is not None else None
+
+    @property
     def destination(self) -> Array:
         """Configuration where it is going to rest after braking; where it is when it does not brake."""
         if self._profile is not None:

@@ -12,7 +12,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.lead_in import lead_in
-from kinematics.motion.trajectory import HeldLoad
+from kinematics.motion.trajectory import HeldLoad, Trajectory
 from kinematics.motion.verdict import CheckedTrajectory
 from robots.clock import Clock
 from robots.control.events import ControlSink
@@ -127,6 +127,11 @@ class MotionStreamer:
         While a motion is being braked: where it will rest, for that is where the next one begins.
         """
         return self._track.destination
+
+    @property
+    def planned(self) -> Trajectory | None:
+        """The trajectory that is streamed; None while none is."""
+        return self._track.planned
 
     def stance(self) -> Stance:
         """Where the feet stand."""

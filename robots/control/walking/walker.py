@@ -6,6 +6,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
+from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import UPRIGHT_RAD
@@ -151,6 +153,11 @@ class Walker:
     def ending(self) -> bool:
         """Whether a walk that is under way was told to end: what it commands brakes from then on."""
         return self._walk is not None and (self._finishing or self._interrupted or self._handle is None)
+
+    @property
+    def landings(self) -> list[tuple[Hand, PlanarPose]]:
+        """The landings that the walk under way plans next, in the odometry frame."""
+        return [] if self._walk is None else self._walk.pattern.landings
 
     @property
     def held_back(self) -> Refusal | None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from kinematics.arrays import Array, Sealed
+from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
@@ -14,6 +16,8 @@ from robots.interface.gripper_reading import GripperReading
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
 from robots.live.wire.errors import ProtocolError
+
+MOST_LANDINGS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +33,8 @@ class RobotReport(Sealed):
         stance: Where the feet stand.
         grippers: What they feel.
         ending: Whether a walk under way was told to end: what is commanded brakes, step by step.
+        landings: The landings that a walk under way plans next, shape (n, 4), at most ``MOST_LANDINGS``: 1
+            for the left foot and -1 for the right one, x and y in m, heading in rad, in the odometry frame.
     """
 
     t_s: float
@@ -39,6 +45,7 @@ class RobotReport(Sealed):
     stance: Stance
     grippers: dict[Hand, GripperReading]
     ending: bool = False
+    landings: Array = field(default_factory=lambda: np.zeros((0, 4)))
 
 
 class ReportLayout:
@@ -54,7 +61,8 @@ class ReportLayout:
         n, feet = len(description.actuated), len(description.soles)
         self._soles = tuple(sole.frame for sole in description.soles)
         self._hands = tuple(description.grippers)
-        sizes = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq, 16 * feet, 4 * len(self._hands))
+        own = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq)
+        sizes = (*own, 16 * feet, 4 * len(self._hands), 4 * MOST_LANDINGS)
         self._ends = np.cumsum(sizes)[:-1]
         self.count = sum(sizes)
 
@@ -74,7 +82,9 @@ class ReportLayout:
         for hand in self._hands:
             felt = report.grippers[hand]
             parts.append(np.array([felt.position_rad, felt.opening_m, felt.effort_nm, float(felt.holding)]))
-        return np.concatenate(parts)
+        ahead = np.zeros((MOST_LANDINGS, 4))
+        ahead[: len(report.landings)] = report.landings[:MOST_LANDINGS]
+        return np.concatenate([*parts, ahead.ravel()])
 
     def report(self, row: Array) -> RobotReport:
         """The report of a row.
@@ -84,9 +94,10 @@ class ReportLayout:
         """
         if row.shape != (self.count,):
             raise ProtocolError(f"a state of {row.size} numbers; this robot's has {self.count}")
-        head, q, v, effort, gyro, accelerometer, wrench, estimate, reference, soles, felt = np.split(
+        head, q, v, effort, gyro, accelerometer, wrench, estimate, reference, soles, felt, ahead = np.split(
             row, self._ends
         )
+        landings = ahead.reshape(-1, 4)
         readings = RobotState(float(head[0]), q, v, effort, gyro, accelerometer, wrench.reshape(-1, 6))
         poses = soles.reshape(-1, 4, 4)
         grippers = {
@@ -102,4 +113,14 @@ class ReportLayout:
             stance=Stance(tuple(zip(self._soles, poses, strict=True))),
             grippers=grippers,
             ending=bool(head[2] > 1.0),
+            landings=landings[landings[:, 0] != 0.0],
         )
+
+
+def landings_of(planned: Sequence[tuple[Hand, PlanarPose]]) -> Array:
+    """Landings as a report has them, shape (n, 4), from which foot, and where; the first ones of many."""
+    rows = [
+        (1.0 if side == "left" else -1.0, pose.x_m, pose.y_m, pose.yaw_rad)
+        for side, pose in planned[:MOST_LANDINGS]
+    ]
+    return np.array(rows).reshape(-1, 4)

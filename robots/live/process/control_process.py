@@ -27,7 +27,7 @@ from robots.control.events import ControlEvent
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
 from robots.errors import RobotsError
-from robots.live.documents.robot_report import ReportLayout, RobotReport
+from robots.live.documents.robot_report import ReportLayout, RobotReport, landings_of
 from robots.live.process.condition import moves
 from robots.live.process.control_server import ControlServer
 from robots.live.process.evaluation_server import EvaluationServer
@@ -235,6 +235,7 @@ class ControlProcess:
             stance=motion.stance(),
             grippers={hand: gripper.reading() for hand, gripper in self._loop.grippers.items()},
             ending=self._loop.walking.ending,
+            landings=landings_of(self._loop.walking.landings),
         )
         self._slot.write(self._layout.row(report))
 
@@ -259,6 +260,8 @@ class ControlProcess:
             "com_margin_m": truth.com_margin_m(),
             "speed_rad_s": float(np.abs(self._world.physics.data.qvel[self._world.physics.joint_qvel]).max()),
             "lift_m": {name: truth.lift_m(name) for name in truth.objects()},
+            "base": truth.world_T_base().tolist(),
+            "places_m": {name: truth.world_T_object(name)[:3, 3].tolist() for name in truth.objects()},
         }
 
 

@@ -46,6 +46,11 @@ class RuntimeFolder:
         return self.path / "picture"
 
     @property
+    def tree_document(self) -> Path:
+        """The newest tree that somebody asked for, as a document; only there once that was so."""
+        return self.path / "tree.xml"
+
+    @property
     def lock(self) -> Path:
         """Held by the control process while it lives."""
         return self.path / "lock"

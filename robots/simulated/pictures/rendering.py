@@ -6,7 +6,7 @@ import math
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
@@ -208,6 +208,10 @@ def snapshot(
         Image.fromarray(renderer.draw(camera, walked)).save(path, format="PNG")
 
 
+Panel = Callable[[int, float], Picture]
+"""Draws what stands beside the frames of a film, from its height in pixels and the simulated time."""
+
+
 class VideoRecorder:
     """Makes an MP4 film of a world in simulated time; call ``tick`` after each control period.
 
@@ -222,12 +226,16 @@ class VideoRecorder:
         size: tuple[int, int] = VIDEO_SIZE,
         camera: Camera = "overview",
         rate_hz: int = VIDEO_RATE_HZ,
+        panel: Panel | None = None,
     ) -> None:
         program = require_ffmpeg()
         self._world, self._path, self._camera, self._rate_hz = world, Path(path), camera, rate_hz
         self._renderer = Renderer(world, size, fine=False)
         self._messages = tempfile.TemporaryFile()  # noqa: SIM115 - lives as long as the recorder
+        self._panel, self._height = panel, size[1]
         width, height = size
+        if panel is not None:
+            width += panel(height, world.truth.time_s).shape[1]
         raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", str(rate_hz)]
         # yuv420p with even sizes: what every player shows.
         coded = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
@@ -250,6 +258,8 @@ class VideoRecorder:
             return
         self._next_s += 1.0 / self._rate_hz
         picture = self._renderer.draw(self._camera)
+        if self._panel is not None:
+            picture = np.hstack([picture, self._panel(self._height, self._world.truth.time_s)])
         if self._encoder.stdin is None:
             return
         try:

@@ -71,6 +71,10 @@ class ServedDouble:
     def watched(self):
         return bool(self._desk.watchers.connections)
 
+    @property
+    def trees(self):
+        return self._desk.trees
+
     def show(self, call):
         """Have something told to those who watch, in the desk's own thread."""
         self._shown.append(call)

@@ -5,11 +5,15 @@ import json
 import numpy as np
 import pytest
 
-from executive.live.world_as_json import world_json
+from executive.live.world_as_json import paths_json, world_json
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
+from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
+from robots.models.description import load_description
 from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.position_error import alike_in_all_directions
 from trees.world_model import WorldModel
@@ -77,3 +81,19 @@ def test_a_crowd_of_things_is_cut_to_a_message_the_nearest_first():
     assert len(json.dumps(things)) < 45_000
     assert things[0]["name"] == "thing 0"
     assert np.all(np.diff([one["place_m"][0] for one in things]) > 0.0)
+
+
+def test_the_ways_of_hands_that_move_are_told():
+    model = RobotModel(load_description("talos"))
+    q = np.repeat(model.q_home[None], 50, axis=0)
+    joint = 7 + model.joints.index("arm_left_1_joint")
+    q[:, joint] += np.linspace(0.0, 0.5, 50)
+    planned = Trajectory(model.joints, Stance(()), np.linspace(0.0, 1.0, 50), q, np.zeros((50, model.nv)))
+
+    (path,) = paths_json(model, planned)
+    assert path["hand"] == "left"
+    for at, row in ((0, 0), (-1, -1)):
+        assert path["points_m"][at] == pytest.approx(
+            model.frame_pose(q[row], model.description.tcp_frames["left"])[:3, 3], abs=1e-3
+        )
+    assert paths_json(model, None) == []

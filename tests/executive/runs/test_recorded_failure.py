@@ -1,6 +1,7 @@
 """A failure comes back from a report as it was, also from reports that name no reasons."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import jsonschema
@@ -20,6 +21,7 @@ FAILURES = [
     Failure.postcondition("no cup seen", seen="table").because(Reason.NOT_SEEN).at("pick/detect"),
     Failure.asking("which cup? there are 2", ASKED),
     Failure.unsafe("too near", finding=ELBOW, step="reach"),
+    Failure.unsafe("too near", finding=replace(ELBOW, place_m=(0.5, -0.1, 0.8)), step="reach"),
     Failure.infeasible("could not pick up the cup", Failure.timeout("no picture", waited_s=2.0)),
 ]
 

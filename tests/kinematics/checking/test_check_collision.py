@@ -40,6 +40,23 @@ def test_a_rod_of_5_mm_in_the_way_is_found(talos, swing, checker, findings_of, f
     )
 
 
+@pytest.mark.parametrize("fraction", [0.2, 0.31, 0.5])
+def test_the_place_of_a_collision_is_on_the_rod_that_is_hit(talos, swing, checker, fraction):
+    place = finger_at(talos, swing.q[int(fraction * 160)])
+    rod = SceneObject("rod", Cylinder(0.0025, 0.3), poses.transform(np.eye(3), place))
+    (finding, *_) = checker.check(swing, PlanningScene().with_object(rod)).findings
+
+    across = np.hypot(*(np.array(finding.place_m) - place)[:2])
+    assert across < 0.02
+    assert abs(finding.place_m[2] - place[2]) < 0.17
+
+
+def test_a_finding_that_is_no_contact_has_no_place(talos, swing, checker):
+    quick = Trajectory(swing.joints, swing.stance, 0.1 * swing.t_s, swing.q, 10.0 * swing.v)
+
+    assert {one.place_m for one in checker.check(quick, PlanningScene()).findings} == {None}
+
+
 @pytest.mark.requirement("S6")
 def test_a_plate_between_two_samples_is_found(talos, checker, swing, findings_of):
     # two samples only: the way between them is 0.5 m long, and the plate 5 mm thick

@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 
-from executive.doors.view.recording import MOMENT_EVERY_S, Moment, Recording, recorded_again
-from executive.doors.view.timeline import seen_at
+from executive.doors.view.recording import (
+    MOMENT_EVERY_S,
+    Moment,
+    Recording,
+    first_difference,
+    recorded_again,
+)
+from executive.doors.view.shown_run import seen_at
 from executive.runs.run import perform
 from executive.runs.run_log import RecordedRun, recorded_runs
 from executive.runs.run_request import RunRequest
@@ -94,3 +100,54 @@ def test_a_recorded_run_is_seen_again_in_motion_with_its_tree_and_log(tmp_path):
     assert any(one["status"] == "running" for one in recording.moment(0.5 * recording.ends_s).nodes)
     assert any("accepted" in line.text for line in recording.log)
     assert seen_at(recording, recording.ends_s).task is None
+
+
+def with_events(tmp_path, *events):
+    made = Recording(RecordedRun(tmp_path, HEADER, {}))
+    made.events += [{"event": kind, "t_s": t_s, "text": text} for kind, t_s, text in events]
+    return made
+
+
+def test_the_first_event_that_differs_is_told_with_its_time(tmp_path):
+    one = with_events(tmp_path, ("TaskAccepted", 0.1, "wave"), ("Said", 1.0, "hi"), ("Said", 2.0, "bye"))
+    other = with_events(tmp_path, ("TaskAccepted", 0.1, "wave"), ("Said", 0.8, "ho"), ("Said", 2.0, "bye"))
+
+    differs = first_difference(one, other)
+    assert (differs.t_s, differs.number) == (0.8, 2)
+    assert ("hi" in differs.first, "ho" in differs.second) == (True, True)
+
+
+def test_a_run_that_ends_before_the_other_differs_there(tmp_path):
+    one = with_events(tmp_path, ("TaskAccepted", 0.1, "wave"))
+    other = with_events(tmp_path, ("TaskAccepted", 0.1, "wave"), ("Said", 0.8, "ho"))
+
+    assert first_difference(one, other).first == ""
+    assert first_difference(one, one) is None
+
+
+def test_what_is_told_of_one_run_alone_is_no_difference(tmp_path):
+    one = with_events(
+        tmp_path, ("TaskAccepted", 0.1, "wave"), ("SensorsNoted", 0.5, "ab"), ("Said", 1.0, "hi")
+    )
+    other = with_events(tmp_path, ("TaskAccepted", 0.1, "wave"), ("Said", 1.0, "hi"))
+
+    assert first_difference(one, other) is None
+
+
+def test_a_question_is_shown_until_it_is_answered(recording):
+    recording.events[1:1] = [
+        {"event": "QuestionAsked", "t_s": 0.2, "question": "which cup?", "choices": ["red", "blue"]},
+        {"event": "InputTaken", "t_s": 0.3, "what": "answer", "value": "red"},
+    ]
+
+    assert seen_at(recording, 0.25).question == {"text": "which cup?", "choices": ["red", "blue"]}
+    assert seen_at(recording, 0.32).question is None
+
+
+def test_what_people_are_told_counts_before_what_is_for_the_digest(tmp_path):
+    one = with_events(tmp_path, ("SensorsNoted", 0.5, "ab"), ("Said", 1.0, "hi"))
+    other = with_events(tmp_path, ("SensorsNoted", 0.5, "cd"), ("Said", 1.0, "ho"))
+    alike = with_events(tmp_path, ("SensorsNoted", 0.5, "cd"), ("Said", 1.0, "hi"))
+
+    assert first_difference(one, other).t_s == 1.0
+    assert first_difference(one, alike).t_s == 0.5

@@ -302,3 +302,25 @@ def test_a_stretch_is_not_turned_by_soles_that_twist(model):
     samples = walk.samples(2000)
 
     assert max(abs(pose.yaw_rad) for sample in samples for pose in sample.feet.values()) < 1e-3
+
+
+def test_the_landings_that_are_planned_are_those_that_come(model):
+    walk = Walk(model)
+    walk.pattern.steer(VelocitySteering(walk.settings, 0.3, 0.1))
+    planned, landed, feet = [], [], dict(walk.pattern.feet)
+    for _ in range(3000):
+        walk.pattern.advance(PERIOD_S)
+        if walk.pattern.phase is Phase.SWING and len(planned) == len(landed):
+            planned.append(walk.pattern.landings[0])
+            assert len(walk.pattern.landings) > 1
+        for side, pose in walk.pattern.feet.items():
+            if pose != feet[side]:
+                landed.append((side, pose))
+        feet = dict(walk.pattern.feet)
+
+    assert len(landed) > 5
+    assert planned[: len(landed)] == landed
+
+
+def test_at_rest_no_landing_is_planned(model):
+    assert Walk(model).pattern.landings == []

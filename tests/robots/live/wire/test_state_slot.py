@@ -77,6 +77,10 @@ def test_a_report_comes_back_bit_by_bit(live, talos):
     assert read.walking
     assert not read.ending
     assert layout.report(layout.row(dataclasses.replace(sent, ending=True))).ending
+    assert read.landings.shape == (0, 4)
+    ahead = np.array([[1.0, 0.2, 0.1, 0.0], [-1.0, 0.4, -0.1, 0.05]])
+    told = layout.report(layout.row(dataclasses.replace(sent, landings=ahead)))
+    np.testing.assert_array_equal(told.landings, ahead)
     assert (read.t_s, read.resting, read.grippers) == (sent.t_s, sent.resting, sent.grippers)
     np.testing.assert_array_equal(read.sensed.q, sent.sensed.q)
     np.testing.assert_array_equal(read.reference, sent.reference)

@@ -1,0 +1,1 @@
+"""The live tree in Groot2: its monitoring protocol, at a port of this machine."""

@@ -1,0 +1,126 @@
+"""Recorded runs in a real browser: Debian's Chromium under Playwright."""
+
+import shutil
+import threading
+import time
+
+import pytest
+
+from executive.doors.recorder.feed import RunFeed
+from executive.doors.view.access import Access, new_token
+from executive.doors.view.motion_read import recording_of
+from executive.doors.view.page_server import PageServer
+from executive.doors.view.timeline import Timeline
+from executive.runs.run import perform
+from executive.runs.run_log import recorded_runs
+from executive.runs.run_request import RunRequest
+from executive.screens.display import NoDisplay
+from executive.scripts.task_script import script_for
+from executive.trust import Trust
+
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+CHROMIUM = shutil.which("chromium")
+ARGUMENTS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+]
+TEXT = "move backward for 1 second"
+pytestmark = [
+    pytest.mark.timeout(600),
+    pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed"),
+]
+
+
+def recorded(folder, seed):
+    said = script_for(TEXT, Trust(), "tabletop")
+    feed = RunFeed(NoDisplay(), print)
+    request = RunRequest(TEXT, said.statements, "talos", "tabletop", seed, folder)
+    perform(request, feed, on_assembly=feed.begin, on_record=feed.record)
+    feed.close()
+    (run,) = recorded_runs(folder)
+    return recording_of(run)
+
+
+@pytest.fixture(scope="module")
+def timeline(tmp_path_factory):
+    one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
+    server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
+    made = Timeline(server, one, over.is_set, other)
+    made.port = server.port
+    thread = threading.Thread(target=made.run)
+    thread.start()
+    yield made
+    over.set()
+    thread.join()
+    server.close()
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(params=[(1280, 800), (390, 844)], ids=["window", "phone"])
+def page(chromium, timeline, request):
+    width, height = request.param
+    made = chromium.new_context(viewport={"width": width, "height": height}).new_page()
+    made.set_default_timeout(120_000.0)
+    made.goto(f"http://127.0.0.1:{timeline.port}/")
+    made.get_by_text("play", exact=True).wait_for()
+    made.locator("canvas[data-engine]").wait_for()
+    timeline.go_to(0.0)
+    yield made
+    made.context.close()
+
+
+def until(so, within_s=60.0):
+    begun_s = time.monotonic()
+    while not so():
+        assert time.monotonic() - begun_s < within_s
+        time.sleep(0.1)
+
+
+def test_the_first_difference_of_two_runs_is_told_and_gone_to_by_a_key(page, timeline):
+    page.get_by_text("differs").first.wait_for()
+    page.keyboard.press("Alt+d")
+
+    until(lambda: timeline.t_s > 0.0)
+    assert timeline.t_s == pytest.approx(timeline.difference.t_s, abs=0.02)
+
+
+def test_keys_alone_play_and_hold_and_move_the_time(page, timeline):
+    page.keyboard.press("Shift+ArrowRight")
+    until(lambda: timeline.t_s == pytest.approx(0.1, abs=0.02))
+    page.keyboard.press("Alt+p")
+    until(lambda: timeline.t_s > 0.4)
+    page.keyboard.press("Alt+p")
+    held_s = timeline.t_s
+    time.sleep(1.0)
+
+    assert timeline.t_s == pytest.approx(held_s, abs=0.3)
+
+
+def test_the_drawn_robots_move_with_the_time(page, timeline):
+    time.sleep(3.0)
+    before = page.screenshot()
+    timeline.go_to(0.7 * timeline.ends_s)
+    time.sleep(3.0)
+
+    assert page.screenshot() != before
+
+
+def test_a_tab_reaches_the_button_that_plays(page, timeline):
+    for _ in range(40):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.textContent").strip() == "play":
+            break
+    page.keyboard.press("Enter")
+
+    until(lambda: timeline.t_s > 0.2)
+    timeline.hold()
