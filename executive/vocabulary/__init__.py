@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.resources
 import itertools
 from collections import ChainMap
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -88,7 +88,7 @@ class Vocabulary:
         whole = (tuple(word.split()) for word in words if " " in word)
         return Vocabulary(list(self._heads.values()), ChainMap(beginnings, dict(self._beginnings)), whole)
 
-    def _first_words_of(self, furniture: Container[str]) -> Iterator[str]:
+    def _first_words_of(self, furniture: Mapping[str, str]) -> Iterator[str]:
         """With what the phrases for some furniture begin."""
         if furniture:
             for name in _FURNITURE:
