@@ -1,5 +1,6 @@
 """Commands of a field's exam can be carried out where they are given, and the oracle goes by the truth."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -28,6 +29,22 @@ def test_an_arena_has_rooms_things_and_people_where_a_command_says(trial):
     for item in scene.objects:
         assert words.where[item.name] == carrier_of(scene, item).name
     assert {words.room_of[person.name] for person in scene.people} == {place.name for place in scene.places}
+
+
+@pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
+def test_nobody_stands_where_the_robot_begins(trial):
+    start = trial.scene.robot_start
+
+    assert all(math.dist(one.position_m, (start.x_m, start.y_m)) >= 0.9 for one in trial.scene.people)
+
+
+@pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
+def test_things_that_are_called_by_their_look_look_like_no_other(trial):
+    items = trial.scene.objects
+    looks = [(item.kind, item.color) for item in items]
+    plain = [(item.kind, item.color) for item in items if item.name == f"{item.color} {item.kind}"]
+
+    assert [look for look in plain if looks.count(look) > 1] == []
 
 
 def test_commands_are_understood_in_their_arena():
