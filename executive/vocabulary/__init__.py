@@ -65,7 +65,7 @@ class Vocabulary:
 
         A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
         A phrase of several words is one thing wherever it stands: "macaroni and cheese" is no list of two.
-        Furniture is meant as it is called there, by whatever word: where a bedside table is, a nightstand is it.
+        Furniture is meant as it is called there: where a bedside table is, a nightstand is one.
 
         Args:
             words: Noun phrases in lower case, each as one thing is called.
@@ -173,7 +173,7 @@ class Vocabulary:
 
 
 def _is_otherwise_called(one: Reading, word: str) -> bool:
-    """Whether a reading has another word for furniture; "counter" of a kitchen counter is but a shorter one."""
+    """Whether furniture is called otherwise by it; "counter" of a kitchen counter is but shorter."""
     return one.word_class in _FURNITURE and one.meaning not in (word, word.rpartition(" ")[2])
 
 

@@ -14,6 +14,8 @@ from robots.scenes.scene_description import spoken_words
 from tools.evaluate.gpsr.arena import carrier_of
 from tools.evaluate.gpsr.command_trial import CommandTrial, command_trial
 from tools.evaluate.gpsr.oracle import Oracle
+from tools.evaluate.skills.episode import IN_PART, outcome_of
+from tools.evaluate.skills.suite import Verdict
 from trees.events import Said
 
 TRIALS = [command_trial(np.random.default_rng([seed, 10])) for seed in range(25)]
@@ -141,6 +143,24 @@ def test_the_biggest_is_so_by_its_true_volume():
     ]
 
     assert len(right) == 1
+
+
+@pytest.mark.parametrize("seen_whole", [True, False])
+def test_a_wrong_count_of_what_could_not_all_be_seen_is_told_with_a_reserve(seen_whole):
+    place = TRIALS[0].words.furniture[0]
+    says = f"tell me how many cups there are on the {place}"
+
+    verdict = judged((("count", "cup"),), says, [done(count=99, seen_whole=seen_whole)], World())
+
+    assert (verdict.done, verdict.reserved) == (False, not seen_whole)
+
+
+@pytest.mark.parametrize(
+    ("right", "reserved", "outcome"),
+    [(True, True, "done"), (False, True, IN_PART), (False, False, "done")],
+)
+def test_what_is_wrong_and_told_with_a_reserve_is_no_claim(right, reserved, outcome):
+    assert outcome_of("gpsr", "done", Verdict(right, reserved=reserved)) == outcome
 
 
 def test_the_room_is_the_one_in_which_the_robot_stands():

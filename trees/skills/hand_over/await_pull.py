@@ -25,9 +25,10 @@ _NEAREST_M = 1e-6
 class AwaitPull(Leaf):
     """Wait until the person pulls at what the hand offers.
 
-    A pull is a change of the force on the hand, towards the person or up, that is as large, and lasts as long,
-    as the policy asks for; a person's fingers that come against the object press the other way. When the object leaves the hand, it was taken if such a force was felt before, for however short a time;
-    otherwise it slipped.
+    A pull is a change of the force on the hand, towards the person or up, that is as large, and lasts as
+    long, as the policy asks for: fingers that come against the object press the other way. When the object
+    leaves the hand, it was taken if such a force was felt before, for however short a time; otherwise it
+    slipped.
     """
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)

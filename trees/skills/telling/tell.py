@@ -183,7 +183,9 @@ class TellDescription(TellingLeaf):
         words = f"{called} {f'{looks}, ' if looks else 'is '}{whereabouts(thing)}"
         if hidden:
             where = self.called_here(source, around)
-            words = f"not all of the {where} is to be seen; of what I see it is {called}, {whereabouts(thing)}"
+            words = (
+                f"not all of the {where} is to be seen; of what I see it is {called}, {whereabouts(thing)}"
+            )
         return self.say(
             words,
             {**evidence, SEEN_WHOLE: not hidden, "things": 1, "height_m": 2.0 * thing.half_height_m},

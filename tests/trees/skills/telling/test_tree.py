@@ -175,7 +175,9 @@ def test_the_biggest_is_told_without_reserve_where_all_is_seen(stage_with):
 
 def test_which_is_the_biggest_on_a_table_far_away_is_not_told_from_there(new_stage):
     far = dataclasses.replace(table(), world_T_object=poses.translation(1.9, 0.0, 0.4))
-    stage = new_stage(far, dataclasses.replace(cup(), world_T_object=poses.translation(1.7, 0.0, 0.5)), walks=True)
+    stage = new_stage(
+        far, dataclasses.replace(cup(), world_T_object=poses.translation(1.7, 0.0, 0.5)), walks=True
+    )
 
     tree = run(stage, BIGGEST)
 
