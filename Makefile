@@ -7,13 +7,9 @@ BIN := $(VENV)/bin
 JOBS ?= 2
 EPISODES ?= 200
 SEED ?= 0
-# Suites of `make evaluate`, and where their records are put; the pages of docs/measured are made from these.
+# Suites of `make evaluate`; QUICK=1 cuts every run of `make report` short.
 SUITES ?= pick
-RECORDS ?= build/evaluate
-# Options of every suite of `make benchmark`, such as --quick, and where their results are put.
-BENCHMARK ?=
-SCALING ?= --repeats 2
-MEASURED ?= build/benchmark
+QUICK ?=
 SENTENCE ?= pick up the red cup on the table
 
 # The first interpreter of a supported version; names that are only shims of absent versions fail the probe.
@@ -24,7 +20,7 @@ FIND_PYTHON = for p in $(PYTHON) python3.11 python3.12 python3.13 python3; do \
 export OMP_NUM_THREADS := 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: setup run test test-peers check requirements evaluate benchmark reference lock build clean
+.PHONY: setup run test test-peers check requirements evaluate benchmark report reference lock build clean
 
 setup: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## the environment with everything that development needs
 
@@ -71,23 +67,16 @@ check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
 requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, which are not
 	$(BIN)/python -m tools.documents.requirements_report --jobs $(JOBS)
 
-evaluate: $(VENV)/.dev-stamp  ## random episodes, judged by the simulator's truth; docs/measured is made from them
-	mkdir -p $(RECORDS)
-	status=0; for suite in $(SUITES); do \
-		$(BIN)/python -m tools.evaluate $$suite --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS) \
-			--json $(RECORDS)/$$suite.json || status=1; \
-	done; \
-	$(BIN)/python -m tools.documents.measured $(RECORDS) docs/measured && exit $$status
+evaluate: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## random episodes, judged by the simulator's truth; their pages are made anew
+	$(BIN)/python -m tools.report --only $(SUITES) --episodes $(EPISODES) --seed $(SEED) --jobs $(JOBS)
 
-benchmark: $(VENV)/.dev-stamp  ## every suite beside its peers, and docs/measured/benchmarks.md made from it
+benchmark: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every part beside its peers, and its page
 	-$(BIN)/python -m tools.benchmark.peers  # a peer that cannot be installed is named and left out
-	mkdir -p $(MEASURED)
-	for suite in $$($(BIN)/python -m tools.benchmark --list); do \
-		$(BIN)/python -m tools.benchmark $$suite $(BENCHMARK) --json $(MEASURED)/$$suite.json || exit 1; \
-	done
-	$(BIN)/python -m tools.benchmark.document $(MEASURED) docs/measured/benchmarks.md
-	$(BIN)/python -m tools.benchmark.scaling $(SCALING) --picture docs/pictures/scaling.svg --page docs/measured/scaling.md
-	$(BIN)/python -m tools.documents.reference
+	$(BIN)/python -m tools.report --only benchmarks scaling
+
+report: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## all that is claimed, measured anew: docs/measured is made whole; hours
+	-$(BIN)/python -m tools.benchmark.peers
+	$(BIN)/python -m tools.report $(if $(QUICK),--quick) --seed $(SEED) --jobs $(JOBS)
 
 reference: $(VENV)/.dev-stamp  ## the pages of the docs that are made from the code
 	$(BIN)/python -m tools.documents.reference

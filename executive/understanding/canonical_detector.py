@@ -14,7 +14,8 @@ from robots.perception.fusion.cameras import PlacedCamera
 class CanonicalDetector:
     """Tells what another detector sees, in canonical words; satisfies ``Detector``.
 
-    A kind becomes its canonical word. What a detector called it stays, as one of its names or categories.
+    A kind becomes its canonical word. What a detector called it stays, as one of its names or categories, and
+    the canonical words of these are told besides.
     """
 
     def __init__(self, detector: Detector, canonical: Callable[[str], str]) -> None:
@@ -52,11 +53,10 @@ class CanonicalDetector:
         if seen.category != "object":
             return seen
         kind, categories = self._canonical(seen.kind), tuple(map(self._canonical, seen.categories))
-        names = seen.names
-        if kind != seen.kind:
-            names = (*names, seen.kind)
+        own = (*seen.names, seen.kind) if kind != seen.kind else seen.names
+        names = tuple(dict.fromkeys((*own, *map(self._canonical, seen.names))))
         both = tuple(dict.fromkeys((*seen.categories, *categories)))
-        if kind == seen.kind and both == seen.categories:
+        if kind == seen.kind and names == seen.names and both == seen.categories:
             return seen
         return replace(seen, kind=kind, names=names, categories=both)
 

@@ -22,6 +22,8 @@ Words = tuple[str, ...]
 
 _THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
 """Word classes of things: what one is called, what several are called, and those with ways of their own."""
+_FURNITURE = ("FURNITURE", "FURNITURES")
+"""What one piece is called, and several."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,31 +65,50 @@ class Vocabulary:
 
         A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
         A phrase of several words is one thing wherever it stands: "macaroni and cheese" is no list of two.
+        Furniture is meant as it is called there: where a bedside table is, a nightstand is one.
 
         Args:
             words: Noun phrases in lower case, each as one thing is called.
         """
         added: dict[str, list[str]] = {}
+        called: dict[str, str] = {}
         for word in words:
             length, readings = self.match(word.split())
             known = length == len(word.split()) and any(
                 one.word_class in _THINGS and self.refusal(one, word) is None for one in readings
             )
+            if length == len(word.split()):
+                called |= {one.meaning: word for one in readings if _is_otherwise_called(one, word)}
             if not known:
                 many = word if word.endswith("s") and not word.endswith("ss") else plural(word)
                 for phrase, word_class in ((word, _THINGS[0]), (many, _THINGS[1])):
                     added.setdefault(phrase.partition(" ")[0], []).append(_line(phrase, word_class, word))
-        beginnings = {first: self._also(first, lines) for first, lines in added.items()}
+        firsts = {*added, *self._first_words_of(called)}
+        beginnings = {first: self._also(first, added.get(first, ()), called) for first in firsts}
         whole = (tuple(word.split()) for word in words if " " in word)
         return Vocabulary(list(self._heads.values()), ChainMap(beginnings, dict(self._beginnings)), whole)
 
-    def _also(self, first: str, lines: Sequence[str]) -> str:
-        """Phrases that begin with a word, with further ones, which take the place of what is refused."""
+    def _first_words_of(self, furniture: Mapping[str, str]) -> Iterator[str]:
+        """With what the phrases for some furniture begin."""
+        if furniture:
+            for name in _FURNITURE:
+                for meaning, phrases in self.classes[name].words.items():
+                    if meaning in furniture:
+                        yield from (phrase.partition(" ")[0] for phrase in phrases)
+
+    def _also(self, first: str, lines: Sequence[str], called: Mapping[str, str]) -> str:
+        """Phrases that begin with a word, with further ones, which take the place of what is refused.
+
+        Args:
+            first: The word.
+            lines: The further ones.
+            called: What furniture is called here, by what it is called elsewhere.
+        """
         taken = {line.partition("\t")[0] for line in lines}
         stay = [
-            _line(phrase, *reading)
-            for phrase, *reading in _cut(self._beginnings.get(first, ""))
-            if phrase not in taken or self.refusal(Reading(*reading), phrase) is None
+            _line(phrase, name, called.get(meaning, meaning) if name in _FURNITURE else meaning)
+            for phrase, name, meaning in _cut(self._beginnings.get(first, ""))
+            if phrase not in taken or self.refusal(Reading(name, meaning), phrase) is None
         ]
         return "\n".join([*stay, *lines])
 
@@ -149,6 +170,11 @@ class Vocabulary:
         _, refusal, meanings, _ = self._heads.get(reading.word_class, ("", None, {}, False))
         meaning = meanings.get(reading.meaning, reading.meaning)
         return None if refusal is None else refusal.format(word=word, meaning=meaning)
+
+
+def _is_otherwise_called(one: Reading, word: str) -> bool:
+    """Whether furniture is called otherwise by it; "counter" of a kitchen counter is but shorter."""
+    return one.word_class in _FURNITURE and one.meaning not in (word, word.rpartition(" ")[2])
 
 
 def _line(phrase: str, word_class: str, meaning: str) -> str:

@@ -1,5 +1,6 @@
 """Commands of a field's exam can be carried out where they are given, and the oracle goes by the truth."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -13,6 +14,8 @@ from robots.scenes.scene_description import spoken_words
 from tools.evaluate.gpsr.arena import carrier_of
 from tools.evaluate.gpsr.command_trial import CommandTrial, command_trial
 from tools.evaluate.gpsr.oracle import Oracle
+from tools.evaluate.skills.episode import IN_PART, outcome_of
+from tools.evaluate.skills.suite import Verdict
 from trees.events import Said
 
 TRIALS = [command_trial(np.random.default_rng([seed, 10])) for seed in range(25)]
@@ -28,6 +31,22 @@ def test_an_arena_has_rooms_things_and_people_where_a_command_says(trial):
     for item in scene.objects:
         assert words.where[item.name] == carrier_of(scene, item).name
     assert {words.room_of[person.name] for person in scene.people} == {place.name for place in scene.places}
+
+
+@pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
+def test_nobody_stands_where_the_robot_begins(trial):
+    start = trial.scene.robot_start
+
+    assert all(math.dist(one.position_m, (start.x_m, start.y_m)) >= 0.9 for one in trial.scene.people)
+
+
+@pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
+def test_things_that_are_called_by_their_look_look_like_no_other(trial):
+    items = trial.scene.objects
+    looks = [(item.kind, item.color) for item in items]
+    plain = [(item.kind, item.color) for item in items if item.name == f"{item.color} {item.kind}"]
+
+    assert [look for look in plain if looks.count(look) > 1] == []
 
 
 def test_commands_are_understood_in_their_arena():
@@ -124,6 +143,24 @@ def test_the_biggest_is_so_by_its_true_volume():
     ]
 
     assert len(right) == 1
+
+
+@pytest.mark.parametrize("seen_whole", [True, False])
+def test_a_wrong_count_of_what_could_not_all_be_seen_is_told_with_a_reserve(seen_whole):
+    place = TRIALS[0].words.furniture[0]
+    says = f"tell me how many cups there are on the {place}"
+
+    verdict = judged((("count", "cup"),), says, [done(count=99, seen_whole=seen_whole)], World())
+
+    assert (verdict.done, verdict.reserved) == (False, not seen_whole)
+
+
+@pytest.mark.parametrize(
+    ("right", "reserved", "outcome"),
+    [(True, True, "done"), (False, True, IN_PART), (False, False, "done")],
+)
+def test_what_is_wrong_and_told_with_a_reserve_is_no_claim(right, reserved, outcome):
+    assert outcome_of("gpsr", "done", Verdict(right, reserved=reserved)) == outcome
 
 
 def test_the_room_is_the_one_in_which_the_robot_stands():

@@ -1,14 +1,8 @@
-"""``python -m tools.benchmark.document FOLDER FILE``: write what the suites measured as one page.
-
-``FOLDER`` holds the JSON files of the suites, as ``python -m tools.benchmark SUITE --json`` wrote them.
-"""
+"""What the benchmarks measured, as one page, from what ``tools.benchmark SUITE --json`` writes."""
 
 from __future__ import annotations
 
-import argparse
 import ast
-import json
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -22,7 +16,7 @@ _NO_PROTOCOL = ("line_protocol", "coal_scene", "reach_tolerance", "pick_coordina
 _HEAD = """\
 # Benchmarks
 
-Made by `make benchmark`; do not edit. Every number is processor time on one core. Planners and solvers take
+Made by `make report`; do not edit. Every number is processor time on one core. Planners and solvers take
 turns on one problem after another in one run, beginning with another one each time, after a first problem
 that does not count, so that the machine's ups and downs fall on all alike. What passes between the processes
 is not counted. *times slower* and *times longer* are medians over single problems, beside their quartiles;
@@ -93,17 +87,12 @@ _TEXTS = {
 }
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Read the suites' files and write the page."""
-    parser = argparse.ArgumentParser(prog="python -m tools.benchmark.document", description=__doc__)
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("file", type=Path)
-    options = parser.parse_args(arguments)
-    documents = [json.loads(path.read_text("utf-8")) for path in sorted(options.folder.glob("*.json"))]
+def in_page_order(documents: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The suites' documents in the order of the page; what it has no place for comes last."""
     order = list(_TEXTS)
-    documents.sort(key=lambda item: order.index(item["suite"]) if item["suite"] in order else len(order))
-    options.file.write_text(page(documents), "utf-8")
-    return 0
+    return sorted(
+        documents, key=lambda item: order.index(item["suite"]) if item["suite"] in order else len(order)
+    )
 
 
 def page(documents: Iterable[Mapping[str, Any]]) -> str:
@@ -163,7 +152,3 @@ def _settings() -> str:
             text = ast.get_docstring(ast.parse(script.read_text("utf-8"))) or ""
             lines.append(f"**{script.stem}**: {' '.join(text.split())}\n")
     return "\n".join(lines)
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,4 +1,4 @@
-"""How processor time grows: ``python -m tools.benchmark.scaling --picture docs/pictures/scaling.svg``.
+"""How processor time grows: ``python -m tools.benchmark.scaling --repeats 15 --json FILE``.
 
 With the number of obstacles: the Panda among small boxes in a shell about the reach of its arm, so that
 most of them are near and few of them in the way; and TALOS's trajectory checker beside as many boxes.
@@ -37,8 +37,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinat
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
-from tools.benchmark.scaling_page import Course, scaling_page
-from tools.benchmark.scaling_picture import picture
+from tools.benchmark.scaling_page import Course
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
 WAYPOINTS = (2, 4, 8, 16, 32, 64, 128)
@@ -201,21 +200,20 @@ def _along_waypoints(repeats: int) -> list[Course]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Measure, print, and draw."""
+    """Measure, print, and keep."""
     parser = argparse.ArgumentParser(prog="python -m tools.benchmark.scaling", description=__doc__)
     parser.add_argument("--repeats", type=int, default=15, metavar="N", help="scenes or paths of each count")
     parser.add_argument("--json", type=Path, metavar="FILE")
-    parser.add_argument("--picture", type=Path, metavar="FILE.svg")
-    parser.add_argument("--page", type=Path, metavar="FILE.md")
     options = parser.parse_args(arguments)
     courses = scaling(options.repeats)
     _print(courses, Console())
     if options.json is not None:
-        options.json.write_text(json.dumps([asdict(item) for item in courses], indent=1) + "\n", "utf-8")
-    if options.picture is not None:
-        options.picture.write_text(picture(courses), "utf-8")
-    if options.page is not None:
-        options.page.write_text(scaling_page(courses, options.repeats), "utf-8")
+        document = {
+            "suite": "scaling",
+            "repeats": options.repeats,
+            "courses": [asdict(item) for item in courses],
+        }
+        options.json.write_text(json.dumps(document, indent=1) + "\n", "utf-8")
     return 0
 
 

@@ -10,9 +10,9 @@ from tools.documents.markdown import table
 _HEAD = """\
 # How times grow
 
-![processor time against the number of obstacles and of waypoints](../pictures/scaling.svg)
+![processor time against the number of obstacles and of waypoints](pictures/scaling.svg)
 
-Made by `make benchmark` (`python -m tools.benchmark.scaling --repeats {repeats}`); do not edit. Median
+Made by `make report` (`python -m tools.benchmark.scaling --repeats {repeats}`); do not edit. Median
 processor time of {repeats} scenes or paths of each count, in milliseconds. *exponent* is the slope of a
 straight line through the upper half of the points, both axes logarithmic; read the slopes and not the
 single points. A planned path has no exponent that means much: with 1,000 boxes about the arm a search may

@@ -10,7 +10,6 @@ from types import MappingProxyType
 from tools.documents.cli_page import cli_page
 from tools.documents.decisions_page import decisions_page
 from tools.documents.events_page import events_page
-from tools.documents.measured import measured_index
 from tools.documents.node_kinds_page import node_kinds_page
 from tools.documents.policy_page import policy_page
 from tools.documents.report_page import report_page
@@ -29,7 +28,6 @@ PAGES: Mapping[str, Callable[[], str]] = MappingProxyType(
         "understand/rooms.md": rooms_page,
         "pictures/rooms.svg": picture,
         "adr/index.md": decisions_page,
-        "measured/index.md": measured_index,
     }
 )
 """Pages by their place under ``docs``, and what makes each."""

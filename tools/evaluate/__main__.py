@@ -93,7 +93,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
 )
 SUITES = tuple(suite for suites in _SUITES_BY_SUBJECT.values() for suite in suites)
 
-_IN_A_ROW = frozenset(
+IN_A_ROW = frozenset(
     {"kill", "connection", "load", "fuzz", "mcp", "mcp-fuzz", "hostile", "digests", "soak"}
     | {*ROS_SUITES, *FRONT_SUITES}
 )
@@ -143,7 +143,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             require_writable(options.json)
         _require_folder(options.failed)
         asked = {"--resume": options.resume, "--journal": options.journal, "--ray": options.ray}
-        if options.suite in _IN_A_ROW and (no := [name for name, value in asked.items() if value]):
+        if options.suite in IN_A_ROW and (no := [name for name, value in asked.items() if value]):
             raise UserError(f"{no[0]}: the episodes of {options.suite} are run in a row, by one process")
         if not options.resume:
             set_aside(options.execution.journal)

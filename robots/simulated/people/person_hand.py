@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import mujoco
 import numpy as np
 
@@ -64,6 +66,22 @@ class PersonHand:
         """Where the middle of the hand is, in the world, shape (3,)."""
         self._physics.refresh()
         return np.array(self._physics.data.xpos[self._body])
+
+    def turn_to(self, direction: Array) -> None:
+        """Point somewhere else, where the hand is, as that of somebody who turns does.
+
+        Args:
+            direction: Horizontal, world, shape (3,).
+        """
+        half = 0.5 * math.atan2(direction[1], direction[0])
+        turned = poses.rotation_z(2.0 * half)
+        across = turned.T @ self._world_T_person[:3, :3]
+        self._physics.model.body_quat[self._body] = (math.cos(half), 0.0, 0.0, math.sin(half))
+        data = self._physics.data
+        for values, column in ((data.qpos, 0), (data.qvel, 1)):
+            places = [self._dof[axis][column] for axis in "xyz"]
+            values[places] = across @ values[places]
+        self._world_T_person = poses.transform(turned, self._world_T_person[:3, 3])
 
     def hold_fast(self) -> None:
         """Keep what is pinched where it is between the fingers' ends."""

@@ -26,6 +26,8 @@ REACHING_N = 20.0
 """The most that the hand presses with on its way."""
 _PULLED_M = 0.40
 _SETTLE_S = 0.4
+_ASIDE = math.cos(math.radians(45.0))
+"""What is farther to the side than this is turned to."""
 _NEAR_M, _AT_M = 0.03, 0.01
 _HAS_IT_M = 0.15
 """What was carried so far from where it was offered is the person's."""
@@ -114,6 +116,7 @@ class TakingPerson:
         towards /= np.linalg.norm(towards)
         if self._pinch is None:
             if now_s >= self._offered_s + self._reaction_s:
+                self._turn_to(-towards)
                 self._pinch = choose_pinch(self._hand, place, shape, towards)
                 before = place + self._pinch.offset_m + BEFORE_M * towards
                 self._by = list(choose_way(self._hand, before, self._pinch, towards)[:-1])
@@ -141,6 +144,12 @@ class TakingPerson:
             self._hand.move_to(goal + _PULLED_M * towards)
         if self.stage == "pulling":
             self.carried_m = max(self.carried_m, float(np.linalg.norm((place - self._offered)[:2])))
+
+    def _turn_to(self, direction: Array) -> None:
+        """Who looks elsewhere turns before the hand sets out."""
+        if float(self._facing @ direction) < _ASIDE:
+            self._facing = direction
+            self._hand.turn_to(direction)
 
     def _way_aside(self, thing: str) -> Iterator[Array]:
         """Around the person to the floor behind; the hand goes with the thing as it holds it."""

@@ -18,8 +18,9 @@ class Seeing:
         return self.frame
 
 
-def seen(kind, categories=()):
-    return Detection("object", kind, "red", np.eye(4), Cylinder(0.03, 0.1), 0.9, categories=categories)
+def seen(kind, categories=(), names=()):
+    solid = Cylinder(0.03, 0.1)
+    return Detection("object", kind, "red", np.eye(4), solid, 0.9, names=names, categories=categories)
 
 
 def told(*things):
@@ -37,6 +38,12 @@ def test_a_sort_that_is_written_as_many_is_told_as_one_too():
 
     assert thing.kind == "bottle"
     assert "drink" in thing.categories
+
+
+def test_a_name_is_told_as_it_is_and_by_the_word_of_sentences():
+    (thing,) = told(seen("can", names=("cola",)))
+
+    assert thing.names == ("cola", "coke")
 
 
 def test_a_word_that_sentences_do_not_have_stays():

@@ -37,3 +37,25 @@ def test_a_word_of_one_place_is_not_known_elsewhere():
     meant("pick up the zorblax")
 
     assert parse("pick up the zorblax").refusal.word == "zorblax"
+
+
+@pytest.mark.parametrize("said", ["bedside table", "nightstand", "night stand"])
+def test_furniture_is_called_as_the_place_calls_it_by_whatever_word(said):
+    with words_of_the_place(("bedside table",)):
+        (task,) = parse(f"put the cup on the {said}").to_json()["tasks"]
+
+    assert task["on"] == "bedside table"
+
+
+def test_several_pieces_are_called_as_the_place_calls_one():
+    with words_of_the_place(("bedside table",)):
+        (command,) = parse("count the nightstands").commands
+
+    assert command.object.kind == "bedside table"
+
+
+def test_furniture_of_which_the_place_tells_more_keeps_its_short_name():
+    with words_of_the_place(("kitchen counter",)):
+        (task,) = parse("put the cup on the counter").to_json()["tasks"]
+
+    assert task["on"] == "counter"

@@ -57,6 +57,8 @@ _KINDS = ("cup", "bottle", "can", "box")
 _PEOPLE = ("Ana", "Charlie", "Robin", "Simone")
 _GARMENTS = ("shirt", "trousers", "jacket")
 _APART_M = 0.17
+_CLEAR_M = 0.9
+"""Around where the robot begins."""
 _DRAWS = 200
 
 
@@ -76,6 +78,9 @@ def arena(rng: np.random.Generator) -> Arena:
     """
     for _ in range(_DRAWS):
         drawn = _drawn(rng)
+        start = (drawn.robot_start.x_m, drawn.robot_start.y_m)
+        if any(math.dist(one.position_m, start) < _CLEAR_M for one in drawn.people):
+            continue  # arms at home would touch whoever stands there
         try:
             scene = read_scene(dump(drawn), "arena", "arena")
         except SceneError:
@@ -137,8 +142,12 @@ def _piece(name: str, kind: str, middle_m: float, side: float, rng: np.random.Ge
 
 
 def _things(carriers: Sequence[Furniture], rng: np.random.Generator) -> list[SceneItem]:
-    """Up to 40, each of a name or a colour and kind of its own, as many as there is room for."""
-    looks = [(color, kind) for kind in _KINDS for color in rooms.COLORS]
+    """Up to 40, each of a name or a colour and kind of its own, as many as there is room for.
+
+    What is called by its look alone looks like nothing else: else "the blue bottle" would be two things.
+    """
+    named = {(color, kind) for _, kind, color, _ in _NAMED}
+    looks = [(color, kind) for kind in _KINDS for color in rooms.COLORS if (color, kind) not in named]
     plain = [(f"{c} {k}", k, c, "") for c, k in (looks[i] for i in rng.permutation(len(looks)))]
     wanted = [_NAMED[i] for i in rng.permutation(len(_NAMED))] + plain
     found: list[SceneItem] = []

@@ -20,6 +20,7 @@ from tools.evaluate.gpsr.command_trial import CommandTrial
 from tools.evaluate.skills.gestures import WaveJudge
 from tools.evaluate.skills.suite import Figure, Trial, Verdict
 from trees.events import Offered, Said
+from trees.skills.telling.tell import SEEN_WHOLE
 
 LIFTED_M = 0.05
 STANDS_M = 0.03
@@ -80,7 +81,7 @@ class Oracle:
                 thing = named
             wrong += filter(None, [self._fault(action, named, thing, last, results)])
         numbers: dict[str, Figure] = {"command": self._trial.sentence, "steps": len(steps)}
-        return Verdict(not wrong, numbers, "; ".join(wrong))
+        return Verdict(not wrong, numbers, "; ".join(wrong), reserved=_with_reserve(results))
 
     def _fault(self, action: str, named: str, thing: str, last: bool, results: Sequence[TaskResult]) -> str:
         """What is wrong about one step; empty when nothing is, or when a later step shows it."""
@@ -191,6 +192,11 @@ def oracle_for(assembly: Assembly, trial: Trial, rng: np.random.Generator) -> Or
     waves = any(action == "wave" for action, _ in trial.does)
     aimed = dataclasses.replace(trial, aim=trial.person)
     return Oracle(truth, trial, people, WaveJudge(assembly, aimed, rng) if waves else None)
+
+
+def _with_reserve(results: Sequence[TaskResult]) -> bool:
+    """Whether the last answer told that not all was seen."""
+    return bool(results) and results[-1].evidence.get(SEEN_WHOLE) is False
 
 
 def _within(yaw_rad: float, off: np.ndarray) -> tuple[float, float]:

@@ -24,7 +24,7 @@ from tools.evaluate.records import EpisodeRecord, broken_episode
 from tools.evaluate.scenes import episode_rng, seen_by
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
-from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial
+from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial, Verdict
 from tools.evaluate.skills.watch import SafetyWatch
 
 
@@ -53,6 +53,8 @@ class PlanningWatch:
 
 
 AFTER_S = 0.5
+IN_PART = "told in part"
+"""The outcome of an answer that said that there may be more, and was not right."""
 
 
 def trial_of(suite: str, seed: int) -> Trial:
@@ -103,7 +105,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     moving_wall_s = last.times.wall_s - last.times.planning_wall_s
     return EpisodeRecord(
         seed=order.seed,
-        outcome=_outcome(suite, last.outcome, verdict.done) if prepared else "failed",
+        outcome=outcome_of(suite, last.outcome, verdict) if prepared else "failed",
         truth=prepared and verdict.done and not watch.fell,
         failure_kind=links[-1].kind.value if links else None,
         failure=told or verdict.why or None,
@@ -156,9 +158,17 @@ def _asked(
     return results, prepared
 
 
-def _outcome(suite: str, said: str, right: bool) -> str:
-    """What the suite calls "done"."""
+def outcome_of(suite: str, said: str, verdict: Verdict) -> str:
+    """What the suite calls the end that the executive told: "done", or the executive's word.
+
+    Args:
+        suite: Name of the suite.
+        said: The executive's word.
+        verdict: What the truth says.
+    """
     ends = SKILL_SUITES[suite].ends
     if ends == ANY_END:
-        return "done" if right else said
+        return "done" if verdict.done else said
+    if verdict.reserved and not verdict.done and said == "done":
+        return IN_PART
     return said if ends == "done" else "done" if said in (ends, "failed") else "failed"

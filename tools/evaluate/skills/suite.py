@@ -28,11 +28,13 @@ class Verdict:
         done: Whether what was asked for really happened.
         numbers: What was measured; keys carry their unit.
         why: What was wrong, for people; empty when nothing was.
+        reserved: Whether the robot said that there may be more than it saw.
     """
 
     done: bool
     numbers: Mapping[str, Figure] = field(default_factory=dict)
     why: str = ""
+    reserved: bool = False
 
 
 class SkillJudge(Protocol):

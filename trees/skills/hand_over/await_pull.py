@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
+from numpy.typing import NDArray
 from py_trees.common import Status
 
 from trees.beliefs.grounding.destination import Place
@@ -16,13 +19,16 @@ from trees.readings.held import lost
 from trees.readings.touch_watch import TouchWatch
 from trees.skills.hand_over.settings import HandOverSettings
 
+_NEAREST_M = 1e-6
+
 
 class AwaitPull(Leaf):
     """Wait until the person pulls at what the hand offers.
 
-    A pull is a change of the force on the hand that is as large, and lasts as long, as the policy asks for.
-    When the object leaves the hand, it was taken if such a force was felt before, for however short a time;
-    otherwise it slipped.
+    A pull is a change of the force on the hand, towards the person or up, that is as large, and lasts as
+    long, as the policy asks for: fingers that come against the object press the other way. When the object
+    leaves the hand, it was taken if such a force was felt before, for however short a time; otherwise it
+    slipped.
     """
 
     INPUT_PORTS = ports(held=HeldObject, place=Place)
@@ -56,7 +62,7 @@ class AwaitPull(Leaf):
                 return lost(self.toolbox, held)
             self._set_output("pull_n", self._strongest_n)
             return DONE
-        pull_n = float(np.linalg.norm(self._watch.feel()))
+        pull_n = self._pull_n(self._watch.feel())
         self._strongest_n = max(self._strongest_n, pull_n)
         self.feedback_message = f"{pull_n:.1f} N"
         if pull_n < settings.pull_n:
@@ -70,6 +76,15 @@ class AwaitPull(Leaf):
         if self.elapsed_s > settings.take_within_s:
             return Failure.postcondition(f"nobody took the {held.name}", waited_s=self.elapsed_s)
         return RUNNING
+
+    def _pull_n(self, force_n: NDArray[np.float64]) -> float:
+        """What of a force on the hand, odometry frame, shape (3,), goes towards the person or up."""
+        model, place = self.toolbox.model, self.get_input("place")
+        tcp_frame = model.description.tcp_frames[self.get_input("held").hand]
+        tcp = model.frame_pose(self.toolbox.sensing.state().q, tcp_frame)[:2, 3]
+        away = place.odom_T_place[:2, 3] - tcp
+        towards_n = float(force_n[:2] @ away) / max(float(np.linalg.norm(away)), _NEAREST_M)
+        return math.hypot(max(towards_n, 0.0), max(float(force_n[2]), 0.0))
 
     @property
     def deadline_s(self) -> float:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from robots.perception.object_estimate import ObjectEstimate
+from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.destination import (
     SLOTS,
     Place,
@@ -80,6 +81,7 @@ class Locate(LookAround):
         if said_at is not None:
             seen, around, aim = self._among_those_there(said_at, seen, around, aim)
         if slot == "object":
+            seen, around = self._among_things_there(aim, getattr(task, "source", None), seen, around)
             there = self._where_it_is_said_to_be(aim, getattr(task, "source", None), around)
             if isinstance(there, Failure):
                 return there
@@ -101,7 +103,7 @@ class Locate(LookAround):
     ) -> Destination | Failure | None:
         """What is looked for, as the one that is there: "the cup on the side table" is on no other table.
 
-        A room, and what is behind a door, is left to those who go and look there.
+        Of a room other things were left out before; what is behind a door is left to those who look there.
         """
         if not isinstance(aim, ObjectDescription) or aim.name is not None:
             return aim
@@ -115,6 +117,38 @@ class Locate(LookAround):
                 return exactly(names[0])
             case _:
                 return aim
+
+    def _among_things_there(
+        self,
+        aim: Destination | None,
+        source: Destination | None,
+        seen: Mapping[str, ObjectEstimate],
+        around: Surroundings,
+    ) -> tuple[Mapping[str, ObjectEstimate], Surroundings]:
+        """What is seen and believed, without things in another room than the one that is said to be in."""
+        region = self.toolbox.places.get(source) if isinstance(source, str) else None
+        if region is None or not isinstance(aim, ObjectDescription) or aim.name is not None:
+            return seen, around
+        return self._inside(region, seen, around, people=False)
+
+    def _inside(
+        self,
+        region: Region,
+        seen: Mapping[str, ObjectEstimate],
+        around: Surroundings,
+        *,
+        people: bool,
+    ) -> tuple[Mapping[str, ObjectEstimate], Surroundings]:
+        """The same without people, or without things, that are not in a room."""
+        objects = self.toolbox.world.scene.objects
+        judged = (one for one in around.things if (one.is_person if people else one.movable))
+        places = {one.name: objects[one.name].world_T_object for one in judged if one.name in objects}
+        outside = tuple(
+            name
+            for name, place in places.items()
+            if not region.contains(float(place[0, 3]), float(place[1, 3]))
+        )
+        return {name: item for name, item in seen.items() if name not in outside}, around.without(outside)
 
     def _among_those_there(
         self,
@@ -134,20 +168,7 @@ class Locate(LookAround):
             if isinstance(aim, ObjectDescription) and aim.relation is None:
                 aim = replace(aim, relation=Relation("next_to", said_at))
             return seen, around, aim
-        objects = self.toolbox.world.scene.objects
-        places = {
-            thing.name: objects[thing.name].world_T_object for thing in around.things if thing.is_person
-        }
-        outside = tuple(
-            name
-            for name, place in places.items()
-            if not region.contains(float(place[0, 3]), float(place[1, 3]))
-        )
-        return (
-            {name: item for name, item in seen.items() if name not in outside},
-            around.without(outside),
-            aim,
-        )
+        return *self._inside(region, seen, around, people=True), aim
 
     def _people(self, around: Surroundings) -> dict[str, Place]:
         """Everybody, where they were seen last."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.skill import After, Before, Skill, as_answered
+from trees.skill import After, Before, Skill, Written, as_answered
 from trees.tasks import CountTask, DescribeTask, FindTask
 
 if TYPE_CHECKING:
@@ -19,6 +19,12 @@ def _find(task: FindTask, toolbox: Toolbox) -> Behaviour:
 
     several = task.count != 1 and not isinstance(task.person, str)
     return find_several(task, toolbox) if several else find(toolbox)
+
+
+def _found(written: Written) -> str | None:
+    """The thing that was found; people are told apart by their names, and "it" is none of them."""
+    place = written("place")
+    return place.name if place is not None and place.category == "object" else None
 
 
 def _count(task: CountTask, toolbox: Toolbox) -> Behaviour:
@@ -41,6 +47,7 @@ SKILLS = (
         claim=as_answered,
         before=frozenset({Before.SOURCE_IN_VIEW}),
         after=frozenset({After.PERSON_KNOWN}),
+        about=_found,
     ),
     Skill(
         task=CountTask,

@@ -22,6 +22,9 @@ from trees.nodes.ports import ports
 from trees.skills.telling.telling_leaf import TellingLeaf
 from trees.tasks import CountTask, DescribeTask, Destination, ObjectDescription
 
+SEEN_WHOLE = "seen_whole"
+"""Key of the evidence: whether all that was asked about was seen, so that nothing else may be so."""
+
 UNSEEN_SIZES = frozenset({"heaviest", "lightest"})
 """What may be asked about, and cannot be seen."""
 
@@ -52,6 +55,7 @@ class TellCount(TellingLeaf):
         held = self._in_hand(task.object, around) if task.source is None and furniture is None else ()
         count = len(names) + len(held)
         counted_words = self.in_words(task.object, count)
+        hidden = self.much_is_hidden()
         said = f"there {'is' if count == 1 else 'are'}"
         if (told := self.called_here(task.source, around)) != task.source:
             said = f"on the {told} {said}"
@@ -59,12 +63,13 @@ class TellCount(TellingLeaf):
             said = f"in the {task.source} I see"
         elif seen_from_here or task.object.kind == PERSON or (self.toolbox.places and task.source is None):
             said = "from here I see"
-        elif self.much_is_hidden():
+        elif hidden:
             said = f"not all of the {self.called_here(task.source, around)} is to be seen; there I see"
         in_hand = f", {len(held)} of them in my hand{'s' * (len(held) > 1)}" if held else ""
         untold = self._untold(task.object, around, task.source)
         return self.say(
-            f"{said} {counted_words}{in_hand}{untold}", {"count": count, **self.confidence(names)}
+            f"{said} {counted_words}{in_hand}{untold}",
+            {"count": count, SEEN_WHOLE: not hidden, **self.confidence(names)},
         )
 
     def _untold(self, wanted: ObjectDescription, around: Surroundings, source: Destination | None) -> str:
@@ -167,13 +172,23 @@ class TellDescription(TellingLeaf):
         meant = ground(wanted, around, source)
         if isinstance(meant, Ambiguous):
             return which_is_meant(meant)
+        compared = wanted.size is not None or wanted.ordinal is not None
+        if compared and (far := self.too_far(source, around)) is not None:
+            return far
+        hidden = compared and self.much_is_hidden()
         thing = next(thing for thing in around.things if thing.name == names[0])
         called = thing.name if thing.is_person and thing.kind != PERSON else f"the {thing.words}"
         evidence: dict[str, Number] = {"names": names[0], **self.confidence(names)}
         looks = looks_of(thing.label.traits) if thing.is_person else ""
+        words = f"{called} {f'{looks}, ' if looks else 'is '}{whereabouts(thing)}"
+        if hidden:
+            where = self.called_here(source, around)
+            words = (
+                f"not all of the {where} is to be seen; of what I see it is {called}, {whereabouts(thing)}"
+            )
         return self.say(
-            f"{called} {f'{looks}, ' if looks else 'is '}{whereabouts(thing)}",
-            {**evidence, "things": 1, "height_m": 2.0 * thing.half_height_m},
+            words,
+            {**evidence, SEEN_WHOLE: not hidden, "things": 1, "height_m": 2.0 * thing.half_height_m},
         )
 
 

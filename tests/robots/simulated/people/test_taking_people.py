@@ -9,6 +9,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from robots.models.description import load_robot
 from robots.scenes.scene_description import Furniture, Person, SceneDescription, SceneItem
+from robots.simulated.body.person_model import hand_body
 from robots.simulated.world import build_world
 
 PERIOD_S = 0.002
@@ -52,6 +53,20 @@ def test_who_takes_things_carries_away_what_is_offered(offers):
 
     assert any(name.startswith("Ana/") for name in world.truth.contacts.of_object("red cup"))
     assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
+
+
+@pytest.mark.parametrize("yaw_rad", [0.0, 1.6, -2.0])
+def test_who_looks_elsewhere_turns_to_what_is_offered(offers, yaw_rad):
+    world = world_with(Person("Ana", (1.2, -0.2), yaw_rad, takes=True))
+    before = world.truth.world_T_object("red cup")[:3, 3]
+
+    offers(world)
+    pass_time(world, 7.0)
+
+    assert any(name.startswith("Ana/") for name in world.truth.contacts.of_object("red cup"))
+    assert world.truth.world_T_object("red cup")[0, 3] > before[0] + 0.15
+    hand = world.physics.data.body(hand_body("Ana")).xmat.reshape(3, 3)
+    assert hand[0, 0] == pytest.approx(-1.0, abs=0.02)  # the forearm points at the cup
 
 
 @pytest.mark.parametrize(("to", "taker"), [("Ana", "Ana"), ("Ben", "Ben"), ("Zoe", "Ben"), ("person", "Ben")])

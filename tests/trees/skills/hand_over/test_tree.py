@@ -9,9 +9,10 @@ from trees.failures import Reason
 from trees.tasks import HandOverTask, ObjectDescription, PickTask
 
 
-def test_an_object_is_given_to_whom_pulls(stage_with):
+@pytest.mark.parametrize("force", [(5.0, 0.0, 0.0), (3.0, 3.0, 0.0), (0.0, 0.0, 5.0)])
+def test_an_object_is_given_to_whom_pulls(stage_with, force):
     stage = stage_with(table(), cup(), ANA)
-    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
+    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=force), 10)
     stage.when("let it go", lambda: stage.fake.world.move("red cup", (0.3, 0.0, 0.25)))
 
     tree = run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
@@ -22,7 +23,7 @@ def test_an_object_is_given_to_whom_pulls(stage_with):
     assert not stage.told.scene.attached
 
 
-@pytest.mark.parametrize("force", [(2.0, 0.0, 0.0), (0.0, 0.0, 0.0)])
+@pytest.mark.parametrize("force", [(2.0, 0.0, 0.0), (0.0, 0.0, 0.0), (-9.0, 0.0, 0.0), (0.0, 0.0, -9.0)])
 def test_what_nobody_takes_is_taken_back(stage_with, force):
     stage = stage_with(table(), cup(), ANA)
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=force), 10)

@@ -142,6 +142,46 @@ def test_where_a_part_of_the_table_is_hidden_it_is_not_said_that_this_is_all(sta
 
     assert tree.status == "success"
     assert said(stage) == ["not all of the table is to be seen; there I see one cup"]
+    assert tree.evidence["seen_whole"] is False
+
+
+BIGGEST = DescribeTask(
+    "what is the biggest thing on the table", ObjectDescription(size="biggest"), source="table"
+)
+
+
+def test_the_biggest_is_told_of_those_that_are_seen_where_a_part_is_hidden(stage_with):
+    tall = TrueObject(
+        "big box", "object", "box", None, Box((0.05, 0.4, 0.4)), poses.translation(0.6, 0.0, 1.1)
+    )
+    stage = stage_with(table(), cup(), tall)
+
+    tree = run(stage, BIGGEST)
+
+    (words,) = said(stage)
+    assert words.startswith("not all of the table is to be seen; of what I see it is the box, ")
+    assert tree.evidence["seen_whole"] is False
+
+
+def test_the_biggest_is_told_without_reserve_where_all_is_seen(stage_with):
+    stage = stage_with(table(), cup())
+
+    tree = run(stage, BIGGEST)
+
+    (words,) = said(stage)
+    assert words.startswith("the red cup is ")
+    assert tree.evidence["seen_whole"] is True
+
+
+def test_which_is_the_biggest_on_a_table_far_away_is_not_told_from_there(new_stage):
+    far = dataclasses.replace(table(), world_T_object=poses.translation(1.9, 0.0, 0.4))
+    stage = new_stage(
+        far, dataclasses.replace(cup(), world_T_object=poses.translation(1.7, 0.0, 0.5)), walks=True
+    )
+
+    tree = run(stage, BIGGEST)
+
+    assert tree.failure.root.message == "the table is too far away to see all that is on it"
 
 
 def test_nothing_is_on_no_counter_even_where_nothing_is_seen_at_all(stage_with):

@@ -1,0 +1,1 @@
+"""The report: every suite and benchmark run by one command, and ``docs/measured`` made from their records."""
