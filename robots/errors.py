@@ -42,7 +42,7 @@ class SceneError(RobotsError):
 
 
 class CannotImportError(RobotsError):
-    """A file that no object or scene can be made of, or without the libraries for it; the message says why."""
+    """A file that no object or scene can be made of, or not without a library; the message says why."""
 
 
 class SetpointRefusedError(RobotsError):

@@ -75,7 +75,8 @@ def mug(radius_m=0.038, height_m=0.095, wall_m=0.004):
     )
     angles = np.linspace(-0.5 * np.pi, 0.5 * np.pi, 9)
     ring = np.stack(
-        [radius_m - 0.003 + 0.025 * np.cos(angles), 0 * angles, 0.5 * height_m + 0.03 * np.sin(angles)], axis=1
+        [radius_m - 0.003 + 0.025 * np.cos(angles), 0 * angles, 0.5 * height_m + 0.03 * np.sin(angles)],
+        axis=1,
     )
     pieces = [
         trimesh.creation.cylinder(0.005, segment=[ring[k], ring[k + 1]], sections=8)

@@ -1,4 +1,4 @@
-"""Things of several convex parts, for tests: an arch, whose hull fills what it leaves free, and random ones."""
+"""Things of several convex parts: an arch, whose hull fills what it leaves free, and random ones."""
 
 import numpy as np
 
@@ -13,6 +13,10 @@ def of_hulls(key, hulls):
     return ConvexParts(key, np.concatenate(hulls), ends)
 
 
+def moved(corners, x=0.0, y=0.0, z=0.0):
+    return corners + np.array([x, y, z])
+
+
 def outlined(parts):
     """A box about the origin that holds them."""
     return Box(tuple((2.0 * np.abs(parts.corners).max(axis=0)).tolist()), parts)
@@ -21,7 +25,7 @@ def outlined(parts):
 def arch(apart_m=0.4, thick_m=0.03, long_m=0.3):
     """Two plates of which one is ``apart_m`` to the left of the other."""
     plate = CORNERS * (long_m, thick_m, long_m)
-    return outlined(of_hulls(f"arch {apart_m}", [plate + (0, side * apart_m / 2, 0) for side in (-1, 1)]))
+    return outlined(of_hulls(f"arch {apart_m}", [moved(plate, y=side * apart_m / 2) for side in (-1, 1)]))
 
 
 def random_parts(rng, key):

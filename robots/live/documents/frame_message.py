@@ -109,7 +109,7 @@ def _square(numbers: Any) -> Array:
 
 
 def _shape_json(shape: Shape) -> list[Any]:
-    """A shape; of its parts, which never change, the file that both sides can read, and how large they are."""
+    """A shape; of its parts, which never change, the file that both sides can read."""
     parts = [] if shape.parts is None or not shape.parts.file else [shape.parts.file]
     match shape:
         case Box(size_m=size):

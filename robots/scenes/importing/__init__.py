@@ -1,1 +1,1 @@
-"""Making objects of meshes: up axis, outline, convex parts; needs the extra ``import``, which running does not."""
+"""Making objects of meshes, with the extra ``import``, which running does not need."""

@@ -86,7 +86,7 @@ def volume(corners: Array) -> float:
 
 
 def of_few_corners(corners: Array) -> Array:
-    """Those corners of a hull, shape (n, 3), that matter, shape (k, 3): of none of the others it lacks much."""
+    """Those corners of a hull, shape (n, 3), without which it would be another, shape (k, 3)."""
     spatial = library("scipy.spatial")
     corners = corners[spatial.ConvexHull(corners).vertices]
     directions = np.array(

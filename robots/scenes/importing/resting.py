@@ -46,9 +46,7 @@ def rests_of(corners: Array, middle: Array) -> Rests:
             normals.append(normal)
     found = [(margin_m(corners, middle, -normal), -normal) for normal in normals]
     safe = sorted((each for each in found if each[0] >= _LEAST_MARGIN_M), key=lambda each: -each[0])[:_MOST]
-    return Rests(
-        np.array([up for _, up in safe]).reshape(-1, 3), np.array([margin for margin, _ in safe])
-    )
+    return Rests(np.array([up for _, up in safe]).reshape(-1, 3), np.array([margin for margin, _ in safe]))
 
 
 def margin_m(corners: Array, middle: Array, up: Array) -> float:
@@ -79,7 +77,9 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
         up = np.array(UP_AXES[name])
         across = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)[:2].max()
         if margin_m(corners, middle, up) >= max(_LEAST_MARGIN_M, SURE_MARGIN * across):
-            why = "it stands so, and files of this kind have that axis up" if name == usual else "it stands so"
+            why = (
+                "it stands so, and files of this kind have that axis up" if name == usual else "it stands so"
+            )
             return UP_AXES[name], why
     rests = rests_of(corners, middle)
     if not len(rests.up):

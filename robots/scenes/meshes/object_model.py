@@ -68,7 +68,6 @@ class ObjectModel(Sealed):
         )
         return replace(self, outline=resized(self.outline, factor, grown), vertices=factor * self.vertices)
 
-
     def scaled_to(self, outline: Shape) -> Shape:
         """An outline with its parts, where it is this object's, of any size; else the outline as it is."""
         factor = outline.height_m / self.outline.height_m

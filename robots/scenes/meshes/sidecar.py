@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, FiniteFloat
+from pydantic import BeforeValidator, Field, FiniteFloat
 
 from robots.errors import SceneError
 from robots.scenes.meshes.up_axis import UP_AXES, Up
-from robots.strict_table import StrictTable, Text, Texts, Triple, as_tuple, read_table, said
+from robots.strict_table import StrictTable, Text, Texts, as_tuple, read_table, said
 from robots.toml_text import TomlTextError, read_toml
 
 ENDING = ".toml"
@@ -54,7 +54,7 @@ class Sidecar(StrictTable):
     categories: Texts = ()
     mass_kg: FiniteFloat
     friction: FiniteFloat = 0.6
-    measured: dict[str, Any] = {}
+    measured: dict[str, Any] = Field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +114,3 @@ def _toml(value: Any) -> str:
     if isinstance(value, bool | int):
         return str(value).lower()
     return repr(round(float(value), 6))
-
-
-__all__ = ["Guesses", "Sidecar", "Triple", "UpKey", "read_sidecar", "sidecar_file", "sidecar_text"]

@@ -6,7 +6,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.motion.verdict import CheckedTrajectory, FindingKind
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from tests.kinematics.parts_of_things import CORNERS, of_hulls, outlined
+from tests.kinematics.parts_of_things import CORNERS, moved, of_hulls, outlined
 
 SHOULDER = "arm_right_1_joint"
 
@@ -19,7 +19,7 @@ def swing(motions):
 def two_plates(half_gap_m):
     """Above and below the origin."""
     plate = CORNERS * (0.3, 0.6, 0.02)
-    return outlined(of_hulls(f"plates {half_gap_m}", [plate + (0, 0, side * half_gap_m) for side in (-1, 1)]))
+    return outlined(of_hulls(f"plates {half_gap_m}", [moved(plate, z=side * half_gap_m) for side in (-1, 1)]))
 
 
 def at_hand(talos, q):
@@ -46,9 +46,7 @@ def test_each_of_its_parts_is_found(seed, talos, checker, swing, findings_of):
 
     found = findings_of(checker.check(swing, PlanningScene().with_object(thing)))
 
-    assert any(
-        kind is FindingKind.SCENE_COLLISION and "mobile" in names for kind, *names in found
-    )
+    assert any(kind is FindingKind.SCENE_COLLISION and "mobile" in names for kind, *names in found)
     assert isinstance(checker.check(swing, PlanningScene().with_object(far)), CheckedTrajectory)
 
 
@@ -58,7 +56,7 @@ def test_a_part_that_is_held_is_judged_against_what_is_around_and_not_against_it
 ):
     gripper = talos.description.grippers["right"]
     stick = CORNERS * 0.02
-    held = outlined(of_hulls("stick", [stick, stick + (0.0, 0.0, 0.015), stick + (0.0, 0.0, -0.35)]))
+    held = outlined(of_hulls("stick", [stick, moved(stick, z=0.015), moved(stick, z=-0.35)]))
     scene = PlanningScene().with_object(SceneObject("stick", held, np.eye(4)))
     scene = scene.with_attached("stick", gripper.tcp_frame, np.eye(4), gripper.touch_links)
     end = talos.frame_pose(swing.q[100], gripper.tcp_frame) @ poses.translation(0.0, 0.0, -0.35)

@@ -19,7 +19,7 @@ def with_things_of_parts(rng, scene, count=4):
             rng.uniform([0.3, -0.7, 0.7], [0.8, 0.7, 1.4]),
         )
         scene = scene.with_object(
-            SceneObject(f"part {k}", random_parts(rng, f"{k}"), place, rng.uniform(0, 0.02))
+            SceneObject(f"part {k}", random_parts(rng, f"part {k}"), place, rng.uniform(0, 0.02))
         )
     return scene
 
@@ -48,9 +48,7 @@ def test_it_agrees_with_coal_about_a_thing_of_parts_in_the_hand(
     gripper = talos.description.grippers["right"]
     scene = with_things_of_parts(rng, at_random.scene(rng, talos, make), 2)
     scene = scene.with_object(SceneObject("held", random_parts(rng, "held"), np.eye(4), 0.01))
-    scene = scene.with_attached(
-        "held", gripper.tcp_frame, poses.translation(0.05, 0, 0), gripper.touch_links
-    )
+    scene = scene.with_attached("held", gripper.tcp_frame, poses.translation(0.05, 0, 0), gripper.touch_links)
     kernel = CollisionKernel.standing(arrays, StandingRobot(talos, stance), scene, 0.004, 0.005)
     world = CollisionWorld(talos, scene, 0.004, 0.005)
     q = space.to_q(np.array([at_random.point(rng, talos, space) for _ in range(150)]))[0]
@@ -70,7 +68,9 @@ def test_an_edge_amid_things_of_parts_that_is_proven_free_is_free_wherever_coal_
         for _ in range(60):
             a = at_random.point(rng, talos, space)
             b = a.copy()
-            b[[space.index(joint) for joint in talos.description.groups["right_arm"]]] += rng.normal(size=7) / 8
+            b[[space.index(joint) for joint in talos.description.groups["right_arm"]]] += (
+                rng.normal(size=7) / 8
+            )
             if kernel.edge_is_free(a, b):
                 proven += 1
                 between = a + np.linspace(0.0, 1.0, 12)[:, None] * (b - a)
