@@ -14,6 +14,7 @@ from executive.cli.commands import (
     chat,
     check,
     doctor,
+    import_,
     jog,
     learn,
     list_,
@@ -36,11 +37,18 @@ from executive.cli.commands import (
 from executive.cli.standard_streams import secure_standard_streams
 from executive.errors import OutputLostError, UserError
 from executive.exit_codes import ExitCode
-from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
+from robots.errors import (
+    CannotImportError,
+    DescriptionError,
+    RenderingUnavailableError,
+    SceneError,
+    UnknownRobotError,
+)
 from robots.live.wire.errors import LiveError
 
 _ENVIRONMENT = (
     UserError,
+    CannotImportError,
     DescriptionError,
     LiveError,
     RenderingUnavailableError,
@@ -97,6 +105,7 @@ app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("learn")(learn.learn)
 app.command("list")(list_.list_)
+app.command("import")(import_.import_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)
 app.command("send")(send.send)

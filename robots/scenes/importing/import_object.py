@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -25,8 +27,9 @@ from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
 
 DENSITY_KG_M3 = 600.0
 LIGHTEST_KG, HEAVIEST_KG = 0.02, 5.0
+_ROUNDED = 1e-6
 _UNITS = ((1.0, "metres"), (0.01, "centimetres"), (0.001, "millimetres"))
-LARGEST_M = 1.5
+LARGEST_M = 0.45
 """No thing that is taken in a hand is longer: a file in which it were has other units."""
 
 
@@ -46,7 +49,7 @@ class Imported:
     sidecar: Path
 
 
-def import_object(mesh_file: Path, said: dict[str, object] | None = None) -> Imported:
+def import_object(mesh_file: Path, said: Mapping[str, Any] | None = None) -> Imported:
     """Make an object of a mesh, and write both files beside it.
 
     Args:
@@ -72,31 +75,31 @@ def import_object(mesh_file: Path, said: dict[str, object] | None = None) -> Imp
     return Imported(model, guesses, file, beside)
 
 
-def _known(sidecar: Sidecar | None, said: dict[str, object]) -> dict[str, object]:
+def _known(sidecar: Sidecar | None, said: Mapping[str, Any]) -> dict[str, Any]:
     """What is not to be guessed: a sidecar's values, but for those that are said anew."""
     kept = {} if sidecar is None else {key: getattr(sidecar, key) for key in sidecar.model_fields_set}
     kept.pop("measured", None)
     return {**kept, **said}
 
 
-def _guessed(mesh: Mesh, file: Path, known: dict[str, object]) -> Guesses:
+def _guessed(mesh: Mesh, file: Path, known: dict[str, Any]) -> Guesses:
     """All values, the guessed ones with their reasons."""
-    values: dict[str, object] = {}
+    values: dict[str, Any] = {}
     reasons: dict[str, str] = {}
 
     def take(key: str, value: object, reason: str) -> None:
         values[key] = known.get(key, value)
-        if key not in known:
+        if _same(values[key], value):
             reasons[key] = reason
 
     take("scale", *_scale(mesh))
-    scale = float(values["scale"])  # type: ignore[arg-type]
+    scale = float(values["scale"])
     corners = scale * np.asarray(library("trimesh").convex.convex_hull(mesh.vertices).vertices)
     middle = scale * _middle(mesh)
     up, why = guessed_up(corners, middle, file.suffix.lower())
+    known = {**known, **({"up": name_of(_direction(known["up"]))} if "up" in known else {})}
     take("up", name_of(up), why)
     direction = _direction(values["up"])
-    values["up"] = name_of(direction)
     turn = turn_of(corners @ upright(direction).T)
     take("turn_rad", turn, "its sides are along x and y then" if turn else "its sides are so already")
     take("label", label_of(file.stem), "the file's name")
@@ -110,10 +113,17 @@ def _guessed(mesh: Mesh, file: Path, known: dict[str, object]) -> Guesses:
     return Guesses(values, reasons)
 
 
-def _direction(value: object) -> Up:
+def _same(value: object, guess: object) -> bool:
+    """Whether what is said is what would be guessed, as a file rounds it."""
+    if isinstance(value, float | int) and isinstance(guess, float | int):
+        return abs(value - guess) <= _ROUNDED
+    return value == guess
+
+
+def _direction(value: Any) -> Up:
     if isinstance(value, str):
         return UP_AXES[value]
-    x, y, z = value  # type: ignore[misc]
+    x, y, z = value
     return float(x), float(y), float(z)
 
 

@@ -95,8 +95,8 @@ def read_sidecar(file: Path) -> Sidecar:
 def sidecar_text(mesh: str, guesses: Guesses) -> str:
     """The file's text: a line for each value, with the reason of what was guessed behind it."""
     lines = [
-        f"# What was made of {mesh}. What is marked as guessed nobody said: mend it where it is wrong,",
-        f"# and say `executive import object {mesh}` again; what is not marked is kept.",
+        f"# What was made of {mesh}. Mend what is guessed wrongly, or delete a line to have it guessed anew,",
+        f"# and say `executive import object {mesh}` again.",
         "",
     ]
     for key, value in guesses.values.items():
