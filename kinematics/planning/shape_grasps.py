@@ -55,6 +55,8 @@ _MOST = 400
 LEVER_COST_PER_M = 12.0
 BELOW_COST_PER_M = 4.0
 """Held below its middle it leans in the hand, and the hand is nearer to what it stands on."""
+BELOW_COST_PER_M = 4.0
+"""Held below its middle a thing leans in the hand, and the hand is nearer to what it stands on."""
 SLANT_COST = 1.5
 DEEP_COST = 0.1
 
@@ -109,7 +111,13 @@ def _found(parts: ConvexParts, gripper: GripperDescription, up: tuple[float, flo
     normals = np.concatenate([parts.normals[:900], np.zeros_like(parts.corners)])
     kept = _judged(poses, points, normals, gripper, widest)
     lever = _lever(kept.poses, middle, np.array(up))
-    cost = LEVER_COST_PER_M * lever + SLANT_COST * (slants[kept.row] + kept.slant) + DEEP_COST * kept.shallow
+    below = np.maximum(0.0, (middle - kept.poses[:, :3, 3]) @ np.array(up))
+    cost = (
+        LEVER_COST_PER_M * lever
+        + BELOW_COST_PER_M * below
+        + SLANT_COST * (slants[kept.row] + kept.slant)
+        + DEEP_COST * kept.shallow
+    )
     best = np.argsort(cost, kind="stable")[:_MOST]
     tcp_T_middle = np.einsum("nji,nj->ni", kept.poses[:, :3, :3], -kept.poses[:, :3, 3])
     return ShapeGrasps(

@@ -22,7 +22,7 @@ from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import guessed_up, rests_of
 from robots.scenes.meshes.model_key import model_key
 from robots.scenes.meshes.object_model import ObjectModel, model_file, write_model
-from robots.scenes.meshes.sidecar import Guesses, Sidecar, read_sidecar, sidecar_file, sidecar_text
+from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
 
 DENSITY_KG_M3 = 600.0
@@ -62,7 +62,7 @@ def import_object(mesh_file: Path, said: Mapping[str, Any] | None = None) -> Imp
     """
     mesh = read_mesh(mesh_file)
     beside = sidecar_file(mesh_file)
-    known = _known(read_sidecar(beside) if beside.exists() else None, said or {})
+    known = _known(read_sidecar(beside, SidecarDraft) if beside.exists() else None, said or {})
     guesses = _guessed(mesh, mesh_file, known)
     model = made(mesh, guesses)
     guesses = replace(guesses, measured=_measured(model))
@@ -75,7 +75,7 @@ def import_object(mesh_file: Path, said: Mapping[str, Any] | None = None) -> Imp
     return Imported(model, guesses, file, beside)
 
 
-def _known(sidecar: Sidecar | None, said: Mapping[str, Any]) -> dict[str, Any]:
+def _known(sidecar: SidecarDraft | None, said: Mapping[str, Any]) -> dict[str, Any]:
     """What is not to be guessed: a sidecar's values, but for those that are said anew."""
     kept = {} if sidecar is None else {key: getattr(sidecar, key) for key in sidecar.model_fields_set}
     kept.pop("measured", None)

@@ -59,7 +59,7 @@ def read_mesh(file: Path) -> Mesh:
         found = _triangles(trimesh, file)
     except Exception as broken:
         raise CannotImportError(f"{file}: cannot be read as a mesh: {broken}") from broken
-    faces = np.asarray(found.faces, np.int32)
+    faces = np.asarray(getattr(found, "faces", ()), np.int32)
     if not len(faces):
         raise CannotImportError(f"{file}: has no surface")
     if len(faces) > MOST_FACES:

@@ -57,7 +57,7 @@ def mesh_thing(table: MeshTable, source: str, fail: Callable[[str, str], SceneEr
     again = f"say `executive import object {table.mesh}`"
     if not sidecar_file(file).exists():
         raise fail("mesh", f"{table.mesh} was not imported yet: {again}")
-    sidecar = read_sidecar(sidecar_file(file))
+    sidecar = read_sidecar(sidecar_file(file), Sidecar)
     try:
         model = read_model(model_file(file))
     except NoModelError as broken:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator, Field, FiniteFloat
 
@@ -32,8 +32,8 @@ UpKey = Annotated[Up, BeforeValidator(_up)]
 """The direction of a mesh that is up: "+z", or [x, y, z]."""
 
 
-class Sidecar(StrictTable):
-    """What a sidecar may say.
+class SidecarDraft(StrictTable):
+    """What a sidecar may say while lines of it may have been deleted, to be guessed anew.
 
     Attributes:
         scale: Metres that a unit of the mesh is.
@@ -46,15 +46,24 @@ class Sidecar(StrictTable):
         measured: What came out; for people to read.
     """
 
-    scale: FiniteFloat
-    up: UpKey
+    scale: FiniteFloat | None = None
+    up: UpKey | None = None
     turn_rad: FiniteFloat = 0.0
-    label: Text
+    label: Text | None = None
     names: Texts = ()
     categories: Texts = ()
-    mass_kg: FiniteFloat
+    mass_kg: FiniteFloat | None = None
     friction: FiniteFloat = 0.6
     measured: dict[str, Any] = Field(default_factory=dict)
+
+
+class Sidecar(SidecarDraft):
+    """A whole one; attributes as of ``SidecarDraft``."""
+
+    scale: FiniteFloat
+    up: UpKey
+    label: Text
+    mass_kg: FiniteFloat
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,8 +86,11 @@ def sidecar_file(mesh: Path) -> Path:
     return mesh.with_name(mesh.name + ENDING)
 
 
-def read_sidecar(file: Path) -> Sidecar:
-    """Read one.
+Kind = TypeVar("Kind", bound=SidecarDraft)
+
+
+def read_sidecar(file: Path, kind: type[Kind]) -> Kind:
+    """Read one, whole or not.
 
     Raises:
         SceneError: It is none; with file, key and reason.
@@ -89,7 +101,7 @@ def read_sidecar(file: Path) -> Sidecar:
         raise SceneError(str(file), "file", f"cannot be read: {absent}") from absent
     except TomlTextError as broken:
         raise SceneError(str(file), "file", f"is no TOML: {broken}") from broken
-    return read_table(Sidecar, data, partial(SceneError, str(file)))
+    return read_table(kind, data, partial(SceneError, str(file)))
 
 
 def sidecar_text(mesh: str, guesses: Guesses) -> str:

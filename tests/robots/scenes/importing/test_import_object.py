@@ -7,7 +7,7 @@ from kinematics.geometry.shapes import Box, Cylinder
 from robots.errors import CannotImportError
 from robots.scenes.importing.import_object import import_object, label_of
 from robots.scenes.meshes.object_model import read_model
-from robots.scenes.meshes.sidecar import read_sidecar
+from robots.scenes.meshes.sidecar import Sidecar, read_sidecar
 from robots.scenes.scene_file import load_scene
 from tests import foreign_meshes as foreign
 
@@ -92,8 +92,8 @@ def test_what_a_person_mends_is_kept_and_what_is_deleted_is_guessed_anew(tmp_pat
 
     again = import_object(file)
 
-    assert read_sidecar(beside).label == "tomato soup"
-    assert read_sidecar(beside).up == (0.0, 0.0, -1.0)
+    assert read_sidecar(beside, Sidecar).label == "tomato soup"
+    assert read_sidecar(beside, Sidecar).up == (0.0, 0.0, -1.0)
     assert {"mass_kg", "scale"} <= set(again.guesses.reasons)
     assert not {"label", "up"} & set(again.guesses.reasons)
 
