@@ -113,16 +113,17 @@ def sidecar_text(mesh: str, guesses: Guesses) -> str:
     ]
     for key, value in guesses.values.items():
         reason = guesses.reasons.get(key)
-        lines.append(f"{key} = {_toml(value)}" + (f"  # guessed: {reason}" if reason else ""))
-    lines += ["", "[measured]", *(f"{key} = {_toml(value)}" for key, value in guesses.measured.items())]
+        lines.append(f"{key} = {toml_text(value)}" + (f"  # guessed: {reason}" if reason else ""))
+    lines += ["", "[measured]", *(f"{key} = {toml_text(value)}" for key, value in guesses.measured.items())]
     return "\n".join(lines) + "\n"
 
 
-def _toml(value: Any) -> str:
+def toml_text(value: Any) -> str:
+    """A value as TOML has it, numbers to a millionth."""
     if isinstance(value, str):
         return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_toml, value)) + "]"
+        return "[" + ", ".join(map(toml_text, value)) + "]"
     if isinstance(value, bool | int):
         return str(value).lower()
     return repr(round(float(value), 6))
