@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -17,14 +18,21 @@ from robots.simulated.importing.bodies import read_foreign
 from robots.simulated.importing.foreign_object import foreign_object
 from robots.simulated.importing.inventory import FoundPiece, Inventory, inventory_of
 from robots.simulated.importing.openings import Opening
+from robots.simulated.importing.our_furniture import OurPiece, our_piece
 
-_FURNITURE_M, _LOWEST_TOP_M, _HIGHEST_TOP_M = 0.3, 0.3, 1.3
-"""A table is as deep and as wide, and its top is between these heights."""
 _NEAR_TOP_M = 0.06
 _LIGHTEST_KG = 0.02
 _BEFORE_M = 0.42
 """From the edge of a table to who stands before it."""
-_KINDS = ("counter", "shelf", "table")
+_TOPS = ("counter", "shelf", "table")
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A foreign piece, and what it is here."""
+
+    piece: FoundPiece
+    ours: OurPiece
 
 
 @dataclass(slots=True)
@@ -59,8 +67,9 @@ def import_scene(file: Path, into: Path | None = None) -> Written:
     written = Written(scene_file, scene_file.with_suffix(".guesses.toml"))
     lines: list[str] = [f"# Made of {file.name}; what was guessed is in {written.guesses.name}."]
     guesses: list[str] = [f"# What was guessed when {file.name} was imported."]
-    tables = _tables(found, written, guesses)
-    lines += [*_start(tables), *(line for name, piece in tables.items() for line in _table(name, piece))]
+    placed = _furniture(found, written, guesses)
+    lines += [*_start(placed), *(line for name, one in placed.items() for line in _lines_of(name, one.ours))]
+    tables = {name: one.piece for name, one in placed.items() if one.ours.values["kind"] in _TOPS}
     try:
         scene_file.parent.mkdir(parents=True, exist_ok=True)
         lines += _objects(found, tables, written, guesses)
@@ -79,35 +88,29 @@ def _block(kind: str, values: dict[str, Any]) -> str:
     return "\n".join(["", f"[[{kind}]]", *(f"{key} = {toml_text(value)}" for key, value in values.items())])
 
 
-def _tables(found: Inventory, written: Written, guesses: list[str]) -> dict[str, FoundPiece]:
-    """Fixed bodies on which something may stand, by name; the others are told."""
-    tables: dict[str, FoundPiece] = {}
+def _furniture(found: Inventory, written: Written, guesses: list[str]) -> dict[str, Placed]:
+    """What of the furniture is some of ours, by name; the rest is told."""
+    placed: dict[str, Placed] = {}
     for piece in found.pieces:
+        name, ours = _free(piece.label, placed), our_piece(found.foreign, piece)
         size = piece.high - piece.low
-        top = float(piece.high[2])
-        usable = (
-            size[0] >= _FURNITURE_M and size[1] >= _FURNITURE_M and _LOWEST_TOP_M <= top <= _HIGHEST_TOP_M
-        )
-        name = _free(piece.label, tables)
         said = {
             "body": found.foreign.name(piece.body),
             "label": name,
             "size_m": [round(float(value), 4) for value in size],
-            "top_m": round(top, 4),
+            "top_m": round(float(piece.high[2]), 4),
             "yaw_rad": round(piece.yaw_rad, 4),
         }
-        guesses.append(_block("furniture", {**said, "taken_for": "table" if usable else "none of ours"}))
+        kind = "none of ours" if isinstance(ours, str) else ours.values["kind"]
+        guesses.append(_block("furniture", {**said, "taken_for": kind}))
         guesses += [_block("opening", _told_of(found, opening, name)) for opening in piece.openings]
-        if piece.openings:
-            parts = ", ".join(f"{one.kind} {found.foreign.name(one.body)}" for one in piece.openings)
-            written.told.append(f"{name}: has {parts}; it stands there shut")
-        if usable:
-            tables[name] = piece
-            written.furniture.append(name)
-        else:
-            seen = f"{size[0]:.2f} x {size[1]:.2f} m with its top at {top:.2f} m"
-            written.told.append(f"{name}: left out, is no furniture of ours, {seen}")
-    return tables
+        if isinstance(ours, str):
+            written.told.append(f"{name}: left out, {ours}")
+            continue
+        placed[name] = Placed(piece, ours)
+        written.furniture.append(name)
+        written.told += [f"{name}: {told}" for told in ours.told]
+    return placed
 
 
 def _told_of(found: Inventory, opening: Opening, of: str) -> dict[str, Any]:
@@ -130,28 +133,20 @@ def _told_of(found: Inventory, opening: Opening, of: str) -> dict[str, Any]:
     return told
 
 
-def _start(tables: dict[str, FoundPiece]) -> list[str]:
-    """Where the robot begins: before the largest table, looking at it."""
-    if not tables:
+def _start(placed: Mapping[str, Placed]) -> list[str]:
+    """Where the robot begins: before the largest top, looking at it."""
+    tops = [one.piece for one in placed.values() if one.ours.values["kind"] in _TOPS]
+    if not tops:
         return []
-    piece = max(tables.values(), key=lambda one: float(np.prod((one.high - one.low)[:2])))
+    piece = max(tops, key=lambda one: float(np.prod((one.high - one.low)[:2])))
     middle, yaw = 0.5 * (piece.low + piece.high), piece.yaw_rad
     away = 0.5 * float(piece.high[0] - piece.low[0]) + _BEFORE_M
     x, y, _ = poses.rotation_z(yaw) @ (middle - np.array([away, 0.0, 0.0]))
     return ["", f"robot_start = {{ x_m = {x:.4f}, y_m = {y:.4f}, yaw_rad = {yaw:.4f} }}"]
 
 
-def _table(name: str, piece: FoundPiece) -> list[str]:
-    middle, size = 0.5 * (piece.low + piece.high), piece.high - piece.low
-    x, y, _ = poses.rotation_z(piece.yaw_rad) @ middle
-    kind = next((word for word in _KINDS if word in name.split()), "table")
-    values = {
-        "name": name,
-        "kind": kind,
-        "size_m": [float(size[0]), float(size[1]), float(piece.high[2])],
-        "position_m": [float(x), float(y)],
-        "yaw_rad": piece.yaw_rad,
-    }
+def _lines_of(name: str, ours: OurPiece) -> list[str]:
+    values = {"name": name, **ours.values}
     return ["", "[[furniture]]", *(f"{key} = {toml_text(value)}" for key, value in values.items())]
 
 
@@ -160,7 +155,7 @@ def _objects(
 ) -> list[str]:
     folder = written.scene.with_suffix("").name + "_objects"
     lines: list[str] = []
-    taken: set[str] = set(tables)
+    taken: set[str] = set(written.furniture)
     for thing in found.objects:
         made = foreign_object(found.foreign, thing.bodies)
         name = _free(thing.label, taken)

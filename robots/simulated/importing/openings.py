@@ -97,13 +97,23 @@ def opening_of(foreign: Foreign, body: int) -> Opening | None:
             outwards, kind = axis, "knob"
         else:
             outwards = sign * np.cross(axis, arm)
-            outwards /= np.linalg.norm(outwards)
+            outwards = _panel_normal(clouds, outwards / np.linalg.norm(outwards))
             kind = "door" if abs(axis[2]) > 0.7 else "lid"
     handle = None
     if kind in ("drawer", "door", "lid", "sliding door"):
         ways = [outwards] if front is None else [front, -front]
         handle = next((one for way in ways if (one := _handle(clouds, way)) is not None), None)
     return Opening(body, kind, outwards, low, high, reach, axis, anchor, handle)  # type: ignore[arg-type]
+
+
+def _panel_normal(clouds: list[Array], outwards: Array) -> Array:
+    """The normal of a door's panel, its largest solid, on the side to which it opens."""
+    panel = max(clouds, key=lambda cloud: float(np.prod(np.sort(np.ptp(cloud, axis=0))[1:])))
+    _, thickness, directions = np.linalg.svd(panel - panel.mean(axis=0), full_matrices=False)
+    normal = directions[2]
+    if thickness[2] > 0.5 * thickness[1] or abs(normal @ outwards) < 0.7:
+        return outwards
+    return np.asarray(normal * np.sign(normal @ outwards))
 
 
 def _front_beside(corners: Array, outwards: Array) -> Array | None:
