@@ -19,7 +19,9 @@ class What(StrEnum):
     SCENE = "scene"
 
 
-_FILES = typer.Argument(metavar="FILE...", help="Meshes (OBJ, STL, GLB, PLY), or scenes (MJCF, URDF).")
+_FILES = typer.Argument(
+    metavar="FILE...", help="Objects (OBJ, STL, GLB, PLY, MJCF, URDF), or scenes (MJCF, URDF)."
+)
 _UP = typer.Option(metavar="AXIS", help='The axis of the mesh that is up: "+z", "+y", "-x", ...')
 _SCALE = typer.Option(metavar="METRES", help="Metres that a unit of the mesh is.")
 _MASS = typer.Option(metavar="KG", help="How heavy it is.")
@@ -43,6 +45,7 @@ def import_(
         return
     from robots.scenes.importing.import_object import import_object
     from robots.scenes.meshes.up_axis import UP_AXES
+    from robots.simulated.importing.import_foreign_object import ENDINGS, import_foreign_object
 
     if up is not None and up not in UP_AXES:
         raise UserError(f"--up must be one of {', '.join(UP_AXES)}, not {up!r}")
@@ -54,7 +57,8 @@ def import_(
     given = {"up": up, "scale": scale, "mass_kg": mass_kg, "label": label}
     said = {key: value for key, value in given.items() if value is not None}
     for file in files:
-        made = import_object(file, said)
+        foreign = file.suffix.lower() in ENDINGS
+        made = (import_foreign_object if foreign else import_object)(file, said)
         told, of = made.guesses.values, made.guesses.measured
         size = " x ".join(f"{1000.0 * edge:.0f}" for edge in of["size_m"])
         parts = "1 part" if of["parts"] == 1 else f"{of['parts']} parts"

@@ -12,6 +12,8 @@ from robots.scenes.meshes.up_axis import UP_AXES, Up, upright
 
 SURE_MARGIN = 0.12
 """Of what is as wide: a thing stands surely when its middle is so far inside of what it stands on."""
+SLIM, SLIM_MARGIN = 2.3, 0.1
+"""What is so many times as high as wide is slim; it stands surely with such a share of its height."""
 _FLAT_COSINE = np.cos(np.radians(1.0))
 _LEAST_MARGIN_M = 0.004
 _LIFT_M = 0.0015
@@ -63,8 +65,9 @@ def margin_m(corners: Array, middle: Array, up: Array) -> float:
 def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     """The direction of a mesh that is most likely up, and why.
 
-    What people call a thing's top is one of the mesh's axes nearly always: the file's own habit where the
-    thing stands so, then the next on which it stands; where it stands on none, as it rests most safely.
+    What people call a thing's top is one of the mesh's axes nearly always: the long one of what is slim and
+    stands on its end, a carton, a bottle; else the file's own habit where the thing stands so, then the next on
+    which it stands; where it stands on none, as it rests most safely.
 
     Args:
         corners: Of the hull, shape (n, 3), m.
@@ -73,6 +76,10 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     """
     usual = "+y" if ending in (".glb", ".gltf") else "+z"
     names = [usual, *(name for name in UP_AXES if name != usual)]
+    slim = [name for name in names if _stands_slim(corners, middle, name)]
+    if slim:
+        best = max(slim, key=lambda name: round(margin_m(corners, middle, np.array(UP_AXES[name])), 4))
+        return UP_AXES[best], "it is slim, and stands on its end so"
     for name in names:
         up = np.array(UP_AXES[name])
         across = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)[:2].max()
@@ -85,6 +92,14 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     if not len(rests.up):
         return UP_AXES[usual], "files of this kind have that axis up; it stands on no side"
     return _direction(rests.up[0]), "it stands on none of its axes, and rests so most safely"
+
+
+def _stands_slim(corners: Array, middle: Array, name: str) -> bool:
+    """Whether a thing is much higher than wide with an axis up, and stands so."""
+    wide, deep, high = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)
+    if high < SLIM * max(wide, deep):
+        return False
+    return margin_m(corners, middle, np.array(UP_AXES[name])) >= max(_LEAST_MARGIN_M, SLIM_MARGIN * high)
 
 
 def _direction(up: Array) -> Up:

@@ -39,17 +39,28 @@ class ForeignObject:
     left_out: int
 
 
-def foreign_object(foreign: Foreign, bodies: Sequence[int]) -> ForeignObject:
-    """Make an object of some bodies as they are placed: what is up there is its top."""
-    clouds = [foreign.corners(geom) for geom in foreign.solid_geoms(bodies)]
+def foreign_object(
+    foreign: Foreign, bodies: Sequence[int], upright: Array | None = None, key: str | None = None
+) -> ForeignObject:
+    """Make an object of some bodies as they are placed: what is up there is its top.
+
+    Args:
+        foreign: The model.
+        bodies: All bodies of the object.
+        upright: How it is turned first, shape (3, 3), where its top is elsewhere.
+        key: Of its parts; a digest of them when left out.
+    """
+    stands = np.eye(3) if upright is None else upright
+    clouds = [foreign.corners(geom) @ stands.T for geom in foreign.solid_geoms(bodies)]
     solid = [of_few_corners(cloud) for cloud in clouds if _is_solid(cloud)]
     if not solid:
         every = np.concatenate(clouds)
         solid = [_box_about(every)]
     hulls = sorted(solid, key=lambda hull: -volume(hull))[:MAX_PARTS]
     turn = turn_of(np.concatenate(hulls))
-    to_own = poses.rotation_z(turn)
-    hulls = [hull @ to_own.T for hull in hulls]
+    about = poses.rotation_z(turn)
+    to_own = about @ stands
+    hulls = [hull @ about.T for hull in hulls]
     fit = fitted(np.concatenate(hulls))
     hulls = [hull - fit.centre for hull in hulls]
     vertices, faces, color = _seen(foreign, bodies, hulls, to_own, fit.centre)
@@ -57,7 +68,7 @@ def foreign_object(foreign: Foreign, bodies: Sequence[int]) -> ForeignObject:
     middle = np.average([hull.mean(axis=0) for hull in hulls], axis=0, weights=[volume(h) for h in hulls])
     surface, normals = surface_of(hulls)
     parts = ConvexParts(
-        key=hashlib.sha256(corners.tobytes() + vertices.tobytes()).hexdigest()[:24],
+        key=key or hashlib.sha256(corners.tobytes() + vertices.tobytes()).hexdigest()[:24],
         corners=corners,
         ends=tuple(np.cumsum([len(hull) for hull in hulls]).tolist()),
         surface=surface,

@@ -164,7 +164,7 @@ def _object(foreign: Foreign, root: int, bodies: list[int]) -> FoundObject:
         if foreign.joints(body) and (found := opening_of(foreign, body)) is not None
     )
     mass = float(foreign.model.body_subtreemass[root])
-    return FoundObject(root, label_of_body(foreign.name(root)), tuple(bodies), mass, openings)
+    return FoundObject(root, label_of_body(_telling_name(foreign, root)), tuple(bodies), mass, openings)
 
 
 def _piece(foreign: Foreign, root: int, bodies: list[int]) -> tuple[FoundPiece, list[tuple[str, str]]]:
@@ -192,9 +192,14 @@ def _piece(foreign: Foreign, root: int, bodies: list[int]) -> tuple[FoundPiece, 
 
 
 def _telling_name(foreign: Foreign, root: int) -> str:
-    """The first name below a root that says more than "base" or "object"; else the file's."""
-    for body in foreign.subtree(root):
-        name = str(foreign.model.body(body).name)
-        if name and label_of_body(name) not in ("object", "base", "body", "root", "main"):
-            return name
-    return foreign.file.stem
+    """A root's name, where it says what it is; else the file's where that is all, else one below it."""
+    names = [str(foreign.model.body(body).name) for body in foreign.subtree(root)]
+    if _says_something(names[0]):
+        return names[0]
+    if len(foreign.children(WORLD)) == 1:
+        return foreign.file.stem
+    return next((name for name in names if _says_something(name)), foreign.file.stem)
+
+
+def _says_something(name: str) -> bool:
+    return bool(name) and label_of_body(name) not in ("object", "base", "body", "root", "main", "world")

@@ -13,8 +13,8 @@ from robots.errors import CannotImportError
 
 _MOST_MENDS = 40
 _LEAST_MASS_KG, _LEAST_INERTIA = "1e-4", "1e-9"
-_ATTRIBUTE = re.compile(r"unrecognized attribute: '(\w+)'")
-_ELEMENT = re.compile(r"unrecognized element Element '(\w+)'")
+_ATTRIBUTE = re.compile(r"unrecognized attribute:\s+'(\w+)'")
+_ELEMENT = re.compile(r"unrecognized element\s+Element '(\w+)'")
 _PICTURES = re.compile(r"(?i)(texture|png|image|cube|file format)")
 
 

@@ -155,6 +155,8 @@ def _handle(clouds: list[Array], outwards: Array) -> Handle | None:
     level = bar - bar.mean(axis=0)
     level -= np.outer(level @ outwards, outwards)
     along = np.linalg.svd(level, full_matrices=False)[2][0]
+    if middle @ outwards <= front:
+        return None
     third = np.cross(outwards, along)
     return Handle(
         middle=middle,

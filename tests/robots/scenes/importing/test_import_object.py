@@ -148,3 +148,15 @@ def test_a_scene_is_read_without_the_importing_libraries(tmp_path, request):
     request.getfixturevalue("without_the_extra")
 
     assert load_scene(str(scene)).objects[0].name == "can"
+
+
+@pytest.mark.parametrize("up", ["+z", "+y"])
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_slim_stands_on_its_end_though_it_lies_as_safely(tmp_path, up, seed):
+    rng = np.random.default_rng(seed)
+    size = tuple(rng.uniform([0.045, 0.05, 0.13], [0.05, 0.055, 0.2]))
+
+    made = import_object(foreign.written(foreign.carton(size), tmp_path, "milk.obj", up))
+
+    assert np.ptp(made.model.vertices[:, 2]) == pytest.approx(size[2], abs=1e-6)
+    assert "up" in made.guesses.reasons
