@@ -16,6 +16,7 @@ SLIM, SLIM_MARGIN = 2.3, 0.1
 """What is so many times as high as wide is slim; it stands surely with such a share of its height."""
 _FLAT_COSINE = np.cos(np.radians(1.0))
 _LEAST_MARGIN_M = 0.004
+_ALIKE_M = 0.006
 _LIFT_M = 0.0015
 """Corners that are this little above the lowest carry as well: what was measured is never quite level."""
 _MOST = 12
@@ -66,8 +67,8 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     """The direction of a mesh that is most likely up, and why.
 
     What people call a thing's top is one of the mesh's axes nearly always: the long one of what is slim and
-    stands on its end, a carton, a bottle; else the file's own habit where the thing stands so, then the next on
-    which it stands; where it stands on none, as it rests most safely.
+    stands on its end, a carton, a bottle; else the file's own habit where the thing stands so, then the next
+    on which it stands; where it stands on none, as it rests most safely.
 
     Args:
         corners: Of the hull, shape (n, 3), m.
@@ -78,7 +79,9 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     names = [usual, *(name for name in UP_AXES if name != usual)]
     slim = [name for name in names if _stands_slim(corners, middle, name)]
     if slim:
-        best = max(slim, key=lambda name: round(margin_m(corners, middle, np.array(UP_AXES[name])), 4))
+        best = max(
+            slim, key=lambda name: round(margin_m(corners, middle, np.array(UP_AXES[name])) / _ALIKE_M)
+        )
         return UP_AXES[best], "it is slim, and stands on its end so"
     for name in names:
         up = np.array(UP_AXES[name])
@@ -97,9 +100,11 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
 def _stands_slim(corners: Array, middle: Array, name: str) -> bool:
     """Whether a thing is much higher than wide with an axis up, and stands so."""
     wide, deep, high = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)
-    if high < SLIM * max(wide, deep):
+    if float(high) < SLIM * max(float(wide), float(deep)):
         return False
-    return margin_m(corners, middle, np.array(UP_AXES[name])) >= max(_LEAST_MARGIN_M, SLIM_MARGIN * high)
+    return margin_m(corners, middle, np.array(UP_AXES[name])) >= max(
+        _LEAST_MARGIN_M, SLIM_MARGIN * float(high)
+    )
 
 
 def _direction(up: Array) -> Up:
