@@ -14,7 +14,6 @@ from executive.cli.commands import (
     chat,
     check,
     doctor,
-    import_,
     jog,
     learn,
     list_,
@@ -34,6 +33,7 @@ from executive.cli.commands import (
     tree,
     why,
 )
+from executive.cli.import_ import import_
 from executive.cli.standard_streams import secure_standard_streams
 from executive.errors import OutputLostError, UserError
 from executive.exit_codes import ExitCode
@@ -105,7 +105,7 @@ app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("learn")(learn.learn)
 app.command("list")(list_.list_)
-app.command("import")(import_.import_)
+app.command("import")(import_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)
 app.command("send")(send.send)

@@ -20,8 +20,7 @@ from robots.scenes.importing.extra import library
 from robots.scenes.importing.mesh_file import Mesh, read_mesh
 from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import guessed_up, rests_of
-from robots.scenes.meshes.model_key import model_key
-from robots.scenes.meshes.object_model import ObjectModel, model_file, write_model
+from robots.scenes.meshes.object_model import ObjectModel, model_file, model_key, write_model
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
 

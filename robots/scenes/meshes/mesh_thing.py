@@ -7,8 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robots.errors import SceneError
-from robots.scenes.meshes.model_key import digest_of, model_key
-from robots.scenes.meshes.object_model import NoModelError, ObjectModel, model_file, read_model
+from robots.scenes.meshes.object_model import (
+    NoModelError,
+    ObjectModel,
+    digest_of,
+    model_file,
+    model_key,
+    read_model,
+)
 from robots.scenes.meshes.sidecar import Sidecar, read_sidecar, sidecar_file
 from robots.scenes.meshes.up_axis import name_of
 from robots.scenes.scene_document import MeshTable

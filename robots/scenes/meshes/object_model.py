@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import io
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,11 +16,14 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.whole_file import read_whole, write_whole
+from robots.scenes.meshes.up_axis import Up, name_of
 
 ENDING = ".model"
 """What the name of the mesh's file has behind it."""
 
 
+VERSION = 1
+"""Of the way in which objects are made: another one makes others of the same mesh."""
 _SAME = 1e-9
 
 
@@ -184,3 +188,22 @@ def _model(kept: Any, file: Path) -> ObjectModel:
         picture=kept["picture"].tobytes(),
         color=(red, green, blue),
     )
+
+
+def digest_of(mesh: Path) -> str:
+    """Of a mesh file.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    return hashlib.sha256(mesh.read_bytes()).hexdigest()
+
+
+def model_key(digest: str, scale: float, up: Up, turn_rad: float) -> str:
+    """Digest of a mesh and of what was said of it; as files round numbers."""
+    told = (VERSION, digest, round(scale, 6), _rounded(name_of(up)), round(turn_rad, 6))
+    return hashlib.sha256(repr(told).encode()).hexdigest()[:24]
+
+
+def _rounded(up: str | list[float]) -> str | list[float]:
+    return up if isinstance(up, str) else [round(value, 4) for value in up]

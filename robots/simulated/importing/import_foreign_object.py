@@ -12,8 +12,7 @@ from robots.errors import CannotImportError
 from robots.scenes.importing.convex import of_few_corners
 from robots.scenes.importing.import_object import Imported, label_of
 from robots.scenes.importing.resting import guessed_up
-from robots.scenes.meshes.model_key import digest_of, model_key
-from robots.scenes.meshes.object_model import model_file, write_model
+from robots.scenes.meshes.object_model import digest_of, model_file, model_key, write_model
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
 from robots.simulated.importing.bodies import WORLD, read_foreign
