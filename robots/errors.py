@@ -4,6 +4,7 @@ RobotsError
 ├── UnknownRobotError       no folder of that name under robots/models
 ├── DescriptionError        a robot's data that is missing or contradicts its URDF
 ├── SceneError              a scene file that cannot be a world: file, key and reason
+├── CannotImportError       a mesh or scene of somebody else that nothing can be made of
 ├── SetpointRefusedError    a setpoint that the gate refused reached the robot anyway
 ├── RenderingUnavailableError  no OpenGL library for pictures
 └── SilentModelError        a model that was asked what pictures show gave no answer
@@ -38,6 +39,10 @@ class SceneError(RobotsError):
     def __init__(self, source: str, key: str, reason: str) -> None:
         self.source, self.key, self.reason = source, key, reason
         super().__init__(f"{source}: {key}: {reason}")
+
+
+class CannotImportError(RobotsError):
+    """A file that no object or scene can be made of, or not without a library; the message says why."""
 
 
 class SetpointRefusedError(RobotsError):

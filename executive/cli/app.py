@@ -33,14 +33,22 @@ from executive.cli.commands import (
     tree,
     why,
 )
+from executive.cli.import_ import import_
 from executive.cli.standard_streams import secure_standard_streams
 from executive.errors import OutputLostError, UserError
 from executive.exit_codes import ExitCode
-from robots.errors import DescriptionError, RenderingUnavailableError, SceneError, UnknownRobotError
+from robots.errors import (
+    CannotImportError,
+    DescriptionError,
+    RenderingUnavailableError,
+    SceneError,
+    UnknownRobotError,
+)
 from robots.live.wire.errors import LiveError
 
 _ENVIRONMENT = (
     UserError,
+    CannotImportError,
     DescriptionError,
     LiveError,
     RenderingUnavailableError,
@@ -98,6 +106,7 @@ app.command("why")(why.why)
 app.command("runs")(runs.runs)
 app.command("learn")(learn.learn)
 app.command("list")(list_.list_)
+app.command("import")(import_)
 app.command("doctor")(doctor.doctor)
 app.command("serve")(serve.serve)
 app.command("send")(send.send)

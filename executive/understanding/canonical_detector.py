@@ -14,8 +14,8 @@ from robots.perception.fusion.cameras import PlacedCamera
 class CanonicalDetector:
     """Tells what another detector sees, in canonical words; satisfies ``Detector``.
 
-    A kind becomes its canonical word. What a detector called it stays, as one of its names or categories, and
-    the canonical words of these are told besides.
+    A kind becomes its canonical word. What a detector called it stays, as one of its names or categories.
+    What sentences call the same as one of its names, "milk" for a milk carton, is a name of it as well.
     """
 
     def __init__(self, detector: Detector, canonical: Callable[[str], str]) -> None:
@@ -53,10 +53,12 @@ class CanonicalDetector:
         if seen.category != "object":
             return seen
         kind, categories = self._canonical(seen.kind), tuple(map(self._canonical, seen.categories))
-        own = (*seen.names, seen.kind) if kind != seen.kind else seen.names
-        names = tuple(dict.fromkeys((*own, *map(self._canonical, seen.names))))
+        also = [word for name in seen.names if (word := self._canonical(name)) not in (name, kind)]
+        names = tuple(dict.fromkeys((*seen.names, *also)))
+        if kind != seen.kind:
+            names = (*names, seen.kind)
         both = tuple(dict.fromkeys((*seen.categories, *categories)))
-        if kind == seen.kind and names == seen.names and both == seen.categories:
+        if kind == seen.kind and both == seen.categories and names == seen.names:
             return seen
         return replace(seen, kind=kind, names=names, categories=both)
 

@@ -141,7 +141,7 @@ class ContactFinder:
             if rest:
                 held = [solid for solid in rest if solid.body != WORLD]
                 around = rest[len(held) :]
-                solids = kernel.with_plain(solids, *([self._flat(held)] if held else []), _plain(around))
+                solids = kernel.with_more(solids, *([_loose(held)] if held else []), _loose(around))
                 still = np.zeros((len(around), limbs.body.shape[1]))
                 nothing = Limbs(still.astype(np.int64), still, np.zeros(len(around), np.int64))
                 all_limbs = [limbs, *([self._limbs(held)] if held else []), nothing]
@@ -178,10 +178,26 @@ class ContactFinder:
         )
 
 
-def _plain(solids: Sequence[Solid]) -> kernel.Solids:
-    """Solids in the world, in which there are no hulls."""
-    poses = np.array([solid.body_T_solid for solid in solids]).reshape(-1, 4, 4)
-    return kernel.plain_solids(WORLD, poses, [solid.shape for solid in solids if solid.shape is not None])
+def _loose(solids: Sequence[Solid]) -> kernel.Solids:
+    """Solids that are not the robot's: objects, parts of them, furniture."""
+    shapes = [solid.shape for solid in solids if solid.shape is not None]
+    if len(shapes) == len(solids) and all(solid.body == WORLD for solid in solids):
+        poses = np.array([solid.body_T_solid for solid in solids]).reshape(-1, 4, 4)
+        return kernel.plain_solids(WORLD, poses, shapes)
+    return kernel.flatten(
+        [
+            kernel.plain_solid(solid.body, solid.body_T_solid, solid.shape)
+            if solid.shape is not None
+            else kernel.hull_of_few(solid.body, _corners(solid))
+            for solid in solids
+        ]
+    )
+
+
+def _corners(solid: Solid) -> Array:
+    """Corners of a hull in its body's frame, shape (n, 3)."""
+    pose = solid.body_T_solid
+    return np.asarray(solid.geometry.points() @ pose[:3, :3].T + pose[:3, 3])
 
 
 def _course(timeline: Timeline) -> Course:

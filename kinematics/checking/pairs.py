@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.checking.kinematics import BASE, WORLD, BatchedKinematics
-from kinematics.checking.solids import Solid, plain_solid, robot_solids
+from kinematics.checking.solids import Solid, robot_solids, shape_solids
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import FindingKind
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject, floor
@@ -113,7 +113,7 @@ class PairBuilder:
         self._last: tuple[PlanningScene, Pairs] | None = None
         self._layouts: dict[Hashable, PairLayout] = {}
         self._floor = floor()
-        self._known: dict[int, tuple[SceneObject, Solid]] = {}
+        self._known: dict[int, tuple[SceneObject, list[Solid]]] = {}
         self._self_rate = self._rates(self.robot, self._self_pairs)
         self._sole_links = frozenset(sole.link for sole in model.description.soles)
         if model.description.welded:  # what is bolted to the floor stands on it too
@@ -126,21 +126,23 @@ class PairBuilder:
         return self._last[1]
 
     def _pairs(self, scene: PlanningScene) -> Pairs:
-        held = []
+        held: list[Solid] = []
         for body in scene.attached.values():
             frame = self._model.pin.frames[self._model.frame_id(body.frame)]
             joint_T_object = np.array(frame.placement.homogeneous) @ body.frame_T_object
-            shape = body.body.shape
-            held.append(
-                plain_solid(body.body.name, int(frame.parentJoint), joint_T_object, shape, self._kinematics)
-            )
+            carrier, shape = int(frame.parentJoint), body.body.shape
+            held += shape_solids(body.body.name, carrier, joint_T_object, shape, self._kinematics)
         # looks tell of the same things in other orders
         things = sorted(scene.objects.values(), key=lambda item: item.name)
         if FLOOR not in scene.objects:
             things.append(self._floor)
-        solids = (*self.robot, *held, *self._around(things))
-        layout = self._layout(scene, [item.name for item in things])
-        margins_m = np.array([0.0] * len(held) + [item.margin_m for item in things])
+        around = self._around(things)
+        solids = (*self.robot, *held, *(solid for some in around for solid in some))
+        layout = self._layout(scene, [solid.name for solid in solids[len(self.robot) :]], len(held))
+        counts = [len(some) for some in around]
+        margins_m = np.concatenate(
+            [np.zeros(len(held)), np.repeat([item.margin_m for item in things], counts)]
+        )
         return Pairs(
             solids,
             layout.first,
@@ -150,41 +152,47 @@ class PairBuilder:
             functools.cache(lambda: self._every_rate(solids, layout)),
         )
 
-    def _layout(self, scene: PlanningScene, things: Sequence[str]) -> PairLayout:
-        """Which pairs are judged; kept, as most scenes of a task differ in where things are alone."""
-        held = tuple((item.body.name, item.touch_links) for item in scene.attached.values())
-        key = tuple(things), held, scene.allowed
-        known = self._layouts.pop(key, None) or self._laid_out(scene, things)
+    def _layout(self, scene: PlanningScene, names: Sequence[str], held: int) -> PairLayout:
+        """Which pairs are judged; kept, as most scenes of a task differ in where things are alone.
+
+        Args:
+            scene: What may touch.
+            names: Of the solids that are not the robot's: as many as are held, then the others.
+            held: How many are held.
+        """
+        touching = tuple((item.body.name, item.touch_links) for item in scene.attached.values())
+        key = tuple(names), touching, scene.allowed
+        known = self._layouts.pop(key, None) or self._laid_out(scene, names, held)
         # behind those that were not asked about for longer
         self._layouts[key] = known
         while len(self._layouts) > _KEPT:
             self._layouts.pop(next(iter(self._layouts)))
         return known
 
-    def _laid_out(self, scene: PlanningScene, things: Sequence[str]) -> PairLayout:
-        touching = list(scene.attached.values())
-        names = [*(body.body.name for body in touching), *things]
-        first_held, first_world = len(self.robot), len(self.robot) + len(touching)
+    def _laid_out(self, scene: PlanningScene, names: Sequence[str], held: int) -> PairLayout:
+        touch_links = {body.body.name: body.touch_links for body in scene.attached.values()}
+        first_held, first_world = len(self.robot), len(self.robot) + held
         may_touch: dict[str, set[str]] = {}
         for pair in scene.allowed:
             for name in pair:
                 may_touch.setdefault(name, set()).update(pair)
         solids_of = {name: list(numbers) for name, numbers in self._solids_of.items()}
-        for number, name in enumerate(names[: len(touching)], first_held):
+        for number, name in enumerate(names[:held], first_held):
             solids_of.setdefault(name, []).append(number)
         # which moving solids each of the others has to stay apart from
         apart = np.ones((len(names), first_world), dtype=bool)
         for row, name in enumerate(names):
             free = set(may_touch.get(name, ()))
-            if row < len(touching):
-                free |= touching[row].touch_links
+            if row < held:
+                # its other parts go with it
+                free |= {*touch_links[name], name}
                 apart[row, first_held + row :] = False
             elif name == FLOOR:
                 free |= self._sole_links
             for other in free & solids_of.keys():
                 apart[row, solids_of[other]] = False
         row_of, those = np.nonzero(apart)
-        with_held = (row_of < len(touching)) | (those >= first_held)
+        with_held = (row_of < held) | (those >= first_held)
         kinds = [FindingKind.SELF_COLLISION] * len(self._self_pairs) + _BETWEEN[
             with_held.astype(np.intp)
         ].tolist()
@@ -195,15 +203,15 @@ class PairBuilder:
             kinds=tuple(kinds),
         )
 
-    def _around(self, things: Sequence[SceneObject]) -> list[Solid]:
-        """Solids of objects; those of the scene before are kept: scenes of one task share most of them."""
+    def _around(self, things: Sequence[SceneObject]) -> list[list[Solid]]:
+        """Solids of each object; those of the scene before are kept: scenes of a task share most of them."""
         before, self._known = self._known, {}
         for item in things:
             known = before.get(id(item))
             if known is None or known[0] is not item:
                 known = (
                     item,
-                    plain_solid(item.name, WORLD, item.world_T_object, item.shape, self._kinematics),
+                    shape_solids(item.name, WORLD, item.world_T_object, item.shape, self._kinematics),
                 )
             self._known[id(item)] = known
         return [self._known[id(item)][1] for item in things]

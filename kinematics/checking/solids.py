@@ -16,7 +16,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.checking.kinematics import WORLD, BatchedKinematics
-from kinematics.distance.link_solids import coal_shape
+from kinematics.distance.link_solids import coal_parts, coal_shape, convex_hull
 from kinematics.errors import ModelError
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
@@ -68,9 +68,8 @@ def robot_solids(model: RobotModel, kinematics: BatchedKinematics) -> list[Solid
         body_T_solid = np.array(item.placement.homogeneous)
         geometry = item.geometry
         if isinstance(geometry, coal.ConvexBase):
-            solids.append(
-                _hull(model.link_of(item), int(item.parentJoint), body_T_solid, geometry, kinematics)
-            )
+            hull = convex_hull(geometry.points())
+            solids.append(_hull(model.link_of(item), int(item.parentJoint), body_T_solid, hull, kinematics))
             continue
         shape = _plain(geometry)
         if shape is None:
@@ -107,6 +106,15 @@ def plain_solid(
     )
 
 
+def shape_solids(
+    name: str, body: int, body_T_solid: Transform, shape: Shape, kinematics: BatchedKinematics
+) -> list[Solid]:
+    """What has a shape on a body, or in the world: its parts, where it has some."""
+    if shape.parts is None:
+        return [plain_solid(name, body, body_T_solid, shape, kinematics)]
+    return [_hull(name, body, body_T_solid, hull, kinematics) for hull in coal_parts(shape.parts)]
+
+
 def distance_to_shape(shape: Shape, points: Array) -> Array:
     """Distance of points, shape (..., 3) in the shape's frame, to its surface; 0 inside."""
     match shape:
@@ -119,12 +127,13 @@ def distance_to_shape(shape: Shape, points: Array) -> Array:
             return np.asarray(np.maximum(np.linalg.norm(points, axis=-1) - radius, 0.0))
 
 
-def _hull(name: str, body: int, body_T_solid: Transform, mesh: Any, kinematics: BatchedKinematics) -> Solid:
-    geometry = _convex(mesh)
+def _hull(
+    name: str, body: int, body_T_solid: Transform, geometry: Any, kinematics: BatchedKinematics
+) -> Solid:
     points = np.ascontiguousarray(geometry.points())
     in_body = points @ body_T_solid[:3, :3].T + body_T_solid[:3, 3]
     centre = _ball_centre(in_body)
-    axis = kinematics.axis[body]
+    axis = np.zeros(3) if body == WORLD else kinematics.axis[body]
     across = in_body - np.outer(in_body @ axis, axis)
     columns = np.ascontiguousarray(points.T)
     return Solid(
@@ -140,18 +149,6 @@ def _hull(name: str, body: int, body_T_solid: Transform, mesh: Any, kinematics: 
         axis_reach_m=float(np.linalg.norm(across, axis=1).max()),
         detail=len(points),
     )
-
-
-def _convex(mesh: Any) -> Any:
-    """The convex hull of a mesh that Coal takes for convex.
-
-    Coal does not check: on a mesh with hollows its search along the edges ends at a wrong support
-    point, and distances come out centimetres too large.
-    """
-    points = coal.StdVec_Vec3s()
-    for point in mesh.points():
-        points.append(point)
-    return coal.ConvexBase.convexHull(points, True, "Qt")
 
 
 def _ball_centre(points: Array) -> Array:

@@ -5,7 +5,8 @@ The trajectory checker is a judge of its own and shares none of this.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import chain, count
 
 import coal
 import numpy as np
@@ -13,7 +14,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.distance.link_solids import coal_shape
+from kinematics.distance.link_solids import coal_solids
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
@@ -48,24 +49,24 @@ class CollisionWorld:
         names = list(links)
         scene = with_floor(model, scene) if model.description.welded else scene
         for item in scene.objects.values():
-            index = self._add(item.name, 0, item.world_T_object, item.shape)
-            names.append(item.name)
-            for i in robot:
-                if not scene.is_allowed(names[i], item.name):
-                    self._geometry.addCollisionPair(pin.CollisionPair(i, index))
-                    margins.append(item.margin_m + extra_margin_m)
+            for index in self._add(item.name, 0, item.world_T_object, item.shape):
+                names.append(item.name)
+                for i in robot:
+                    if not scene.is_allowed(names[i], item.name):
+                        self._geometry.addCollisionPair(pin.CollisionPair(i, index))
+                        margins.append(item.margin_m + extra_margin_m)
         for name, body in scene.attached.items():
             frame = model.pin.frames[model.frame_id(body.frame)]
             placement = frame.placement.homogeneous @ body.frame_T_object
-            index = self._add(name, frame.parentJoint, placement, body.body.shape)
-            names.append(name)
-            for i in range(index):
-                free = names[i] in body.touch_links or scene.is_allowed(names[i], name)
-                if free or self._geometry.geometryObjects[i].parentJoint == frame.parentJoint:
-                    continue
-                self._geometry.addCollisionPair(pin.CollisionPair(i, index))
-                other = scene.objects.get(names[i])
-                margins.append(extra_margin_m if other is None else other.margin_m + extra_margin_m)
+            for index in self._add(name, frame.parentJoint, placement, body.body.shape):
+                names.append(name)
+                for i in range(index):
+                    free = names[i] in body.touch_links or scene.is_allowed(names[i], name)
+                    if free or self._geometry.geometryObjects[i].parentJoint == frame.parentJoint:
+                        continue
+                    self._geometry.addCollisionPair(pin.CollisionPair(i, index))
+                    other = scene.objects.get(names[i])
+                    margins.append(extra_margin_m if other is None else other.margin_m + extra_margin_m)
         self._names = names
         self._data = model.pin.createData()
         self._geometry_data = self._geometry.createData()
@@ -109,11 +110,17 @@ class CollisionWorld:
             self._geometry.addCollisionPair(pin.CollisionPair(first, second))
         return len(kept)
 
-    def _add(self, name: str, joint: int, placement: Transform, shape: Shape) -> int:
-        item = pin.GeometryObject(
-            name, joint, pin.SE3(placement[:3, :3], placement[:3, 3]), coal_shape(shape)
-        )
-        return int(self._geometry.addGeometryObject(item))
+    def _add(self, name: str, joint: int, placement: Transform, shape: Shape) -> list[int]:
+        at = pin.SE3(placement[:3, :3], placement[:3, 3])
+        return [
+            int(self._geometry.addGeometryObject(pin.GeometryObject(f"{name}{part}", joint, at, solid)))
+            for part, solid in zip(_part_numbers(), coal_solids(shape), strict=False)
+        ]
+
+
+def _part_numbers() -> Iterator[str]:
+    """What is behind the name of the first solid of a thing, of the second and so on."""
+    return chain([""], (f"/{number}" for number in count(1)))
 
 
 def with_floor(model: RobotModel, scene: PlanningScene) -> PlanningScene:
@@ -155,8 +162,9 @@ class HandCollision:
         ]
         others = [item for item in scene.objects.values() if item.name != target]
         self._solids = [
-            (coal_shape(item.shape), _coal_transform(item.world_T_object), item.margin_m + extra_margin_m)
+            (solid, _coal_transform(item.world_T_object), item.margin_m + extra_margin_m)
             for item in others
+            for solid in coal_solids(item.shape)
         ]
         self._corners = np.concatenate(
             [
@@ -168,7 +176,7 @@ class HandCollision:
         self._boxes = [
             (item.world_T_object, 0.5 * np.array(item.shape.size_m) + item.margin_m + extra_margin_m)
             for item in others
-            if isinstance(item.shape, Box)
+            if isinstance(item.shape, Box) and item.shape.parts is None
         ]
 
     def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:

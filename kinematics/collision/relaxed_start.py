@@ -15,7 +15,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.link_solids import coal_shape
+from kinematics.distance.link_solids import coal_solids
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.model.derived import Recent
 from kinematics.model.robot_model import RobotModel
@@ -60,8 +60,8 @@ def relaxed_at(model: RobotModel, scene: PlanningScene, q: Array, reserve_m: flo
         }
         if item.movable:  # that a look took for a second one, where the hand has it
             distances |= {
-                name: _distance(shape, at, item)
-                for name, (shape, at) in held.items()
+                name: _nearest(solids, at, item)
+                for name, (solids, at) in held.items()
                 if not scene.is_allowed(name, item.name)
             }
         nearest = min(distances.values(), default=np.inf)
@@ -113,7 +113,7 @@ def start_concessions(
         item, links = items[row], nearby.parts.links
         reach_m = item.margin_m + AROUND_M
         names = {links[k] for k in near.get(row, ()) if nearby.distance_m(row, k) < reach_m}
-        names |= {name for name, (shape, at) in held.items() if _distance(shape, at, item) < reach_m}
+        names |= {name for name, (solids, at) in held.items() if _nearest(solids, at, item) < reach_m}
         for name in sorted(names):
             pair = frozenset((name, item.name))
             if pair not in relaxed.allowed:
@@ -230,16 +230,16 @@ class _Nearby:
         """Between an object and a part."""
         if (row, part) not in self._exact_m:
             at = self.parts.at(self._start.q).oMg[part]
-            self._exact_m[row, part] = _distance(self.parts.shapes[part], at, self._start.items[row])
+            self._exact_m[row, part] = _nearest([self.parts.shapes[part]], at, self._start.items[row])
         return self._exact_m[row, part]
 
 
 def _held_at(
     model: RobotModel, scene: PlanningScene, q: Array
-) -> dict[str, tuple[coal.CollisionGeometry, pin.SE3]]:
+) -> dict[str, tuple[tuple[coal.CollisionGeometry, ...], pin.SE3]]:
     """What hands hold by its name, and where it is at a configuration."""
     return {
-        name: (coal_shape(held.body.shape), pin.SE3(model.frame_pose(q, held.frame) @ held.frame_T_object))
+        name: (coal_solids(held.body.shape), pin.SE3(model.frame_pose(q, held.frame) @ held.frame_T_object))
         for name, held in scene.attached.items()
     }
 
@@ -251,15 +251,13 @@ def _half_extents_m(shape: Shape) -> tuple[float, float, float]:
     return shape.radius_m, shape.radius_m, 0.5 * shape.height_m
 
 
-def _distance(part: coal.CollisionGeometry, at: pin.SE3, item: SceneObject) -> float:
+def _nearest(solids: Sequence[coal.CollisionGeometry], at: pin.SE3, item: SceneObject) -> float:
+    """Distance of some solids of one body to an object."""
     pose = item.world_T_object
-    return float(
-        coal.distance(
-            part,
-            coal.Transform3s(at.rotation, at.translation),
-            coal_shape(item.shape),
-            coal.Transform3s(pose[:3, :3], pose[:3, 3]),
-            coal.DistanceRequest(),
-            coal.DistanceResult(),
-        )
+    here, there = coal.Transform3s(at.rotation, at.translation), coal.Transform3s(pose[:3, :3], pose[:3, 3])
+    request = coal.DistanceRequest()
+    return min(
+        float(coal.distance(solid, here, part, there, request, coal.DistanceResult()))
+        for solid in solids
+        for part in coal_solids(item.shape)
     )

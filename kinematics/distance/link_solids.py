@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import coal
@@ -20,6 +21,7 @@ from kinematics.distance.solids import (
     _primitive,
 )
 from kinematics.errors import ModelError
+from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Shape
 
@@ -72,8 +74,31 @@ def _ball_centre(points: Array) -> Array:
     return np.asarray(centre, dtype=np.float64)
 
 
+def convex_hull(points: Array) -> coal.ConvexBase:
+    """Coal's convex hull of some points, shape (n, 3).
+
+    Made anew of what is a hull already: Coal does not check, and on a mesh with hollows its search along the
+    edges ends at a wrong support point.
+    """
+    corners = coal.StdVec_Vec3s()
+    for point in points:
+        corners.append(point)
+    return coal.ConvexBase.convexHull(corners, True, "Qt")
+
+
+@functools.lru_cache(maxsize=128)
+def coal_parts(parts: ConvexParts) -> tuple[coal.ConvexBase, ...]:
+    """Coal's solids of what a thing is made of."""
+    return tuple(convex_hull(corners) for corners in parts.hulls)
+
+
+def coal_solids(shape: Shape) -> tuple[coal.CollisionGeometry, ...]:
+    """Coal's solids of what has a shape: of its parts, where it has some."""
+    return (coal_shape(shape),) if shape.parts is None else coal_parts(shape.parts)
+
+
 def coal_shape(shape: Shape) -> coal.CollisionGeometry:
-    """Coal's solid of a shape."""
+    """Coal's solid of a shape; of what has parts, of its outline."""
     if isinstance(shape, Box):
         return coal.Box(*shape.size_m)
     if isinstance(shape, Ball):

@@ -280,8 +280,12 @@ def core_distance(
 
 @inlined
 def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> float:
-    """Distance of a point to a box, cylinder, ball or capsule, both in one frame; 0 in the core."""
-    R, p, size = solids.R[solid], solids.p[solid], solids.size[solid]
+    """Distance of a point to a box, cylinder, ball or capsule, both in one frame; 0 in the core.
+
+    Of a hull, that to the box that holds it, which is a lower bound.
+    """
+    R, size = solids.R[solid], solids.size[solid]
+    p = solids.centre[solid] if solids.kind[solid] == HULL else solids.p[solid]
     x -= p[0]
     y -= p[1]
     z -= p[2]
@@ -289,7 +293,7 @@ def point_distance(solids: Solids, solid: int, x: float, y: float, z: float) -> 
     b = abs(R[0, 1] * x + R[1, 1] * y + R[2, 1] * z)
     c = abs(R[0, 2] * x + R[1, 2] * y + R[2, 2] * z)
     kind = solids.kind[solid]
-    if kind == BOX:
+    if kind in (BOX, HULL):
         a = max(a - size[0], 0.0)
         b = max(b - size[1], 0.0)
         c = max(c - size[2], 0.0)

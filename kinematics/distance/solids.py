@@ -27,7 +27,8 @@ class Solids(NamedTuple):
         body: Body that carries it; 0 is the world, shape (s,).
         R, p: Pose in that body's frame, shapes (s, 3, 3) and (s, 3), m; hulls are already there.
         size: Half-sizes of a box; radius and half the height of a cylinder; 0 and half the length of
-            a segment, shape (s, 3), m.
+            a segment; of a hull in the world, half-sizes of a box about its centre, along the world's axes,
+            that holds it, shape (s, 3), m.
         round: Radius of the rounding ball, shape (s,), m.
         few: First and last row in ``points`` of the hull's chosen vertices, shape (s, 2).
         pad: With this rounding the chosen vertices enclose the whole hull, shape (s,), m.
@@ -86,6 +87,13 @@ def plain_solid(body: int, pose: Transform, shape: Shape) -> Solid:
             return _primitive(POINT, body, pose, (0.0, 0.0, 0.0), radius)
 
 
+def shape_solids(body: int, pose: Transform, shape: Shape) -> list[Solid]:
+    """What has a shape as solids on a body: its parts, where it has some."""
+    if shape.parts is None:
+        return [plain_solid(body, pose, shape)]
+    return [hull_of_few(body, corners @ pose[:3, :3].T + pose[:3, 3]) for corners in shape.parts.hulls]
+
+
 def plain_solids(body: int, poses: Array, shapes: Sequence[Shape]) -> Solids:
     """Boxes, cylinders and balls on one body, as arrays: ``flatten`` of ``plain_solid``, faster.
 
@@ -127,12 +135,28 @@ def plain_solids(body: int, poses: Array, shapes: Sequence[Shape]) -> Solids:
     )
 
 
-def half_extents_m(plain: Solids) -> Array:
-    """Half-sizes of the boxes along their body's axes that just hold solids, shape (n, 3); not of hulls."""
+def half_extents_m(solids: Solids) -> Array:
+    """Half-sizes of the boxes about their centres, along their body's axes, that just hold solids, (n, 3).
+
+    Of hulls, only of those in the world.
+    """
+    plain = solids
     R, size = np.abs(plain.R), plain.size[:, None]
     box = np.sum(R * size, axis=2)
     around = size[..., 0] * np.sqrt(R[..., 0] ** 2 + R[..., 1] ** 2) + size[..., 1] * R[..., 2]
-    return np.asarray(np.where(plain.kind[:, None] == BOX, box, around) + plain.round[:, None])
+    return np.asarray(np.where(np.isin(plain.kind, (BOX, HULL))[:, None], box, around) + plain.round[:, None])
+
+
+def hull_of_few(body: int, corners: Array) -> Solid:
+    """A hull of few corners, shape (n, 3), in the body's frame, all of which are chosen: none is left out."""
+    corners = np.ascontiguousarray(corners)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    centre = 0.5 * (low + high)
+    x, y, z = (0.5 * (high - low)).tolist()
+    radius = float(np.sqrt(np.max(np.sum((corners - centre) ** 2, axis=1))))
+    return Solid(
+        HULL, body, np.eye(4), (x, y, z), 0.0, centre, radius, corners, corners, 0.0, len(corners), 0.0
+    )
 
 
 def _primitive(
@@ -165,12 +189,19 @@ def flatten(solids: Sequence[Solid]) -> Solids:
     )
 
 
-def with_plain(solids: Solids, *more: Solids) -> Solids:
-    """The same with boxes, cylinders and balls behind them: they have no vertices, so rows stay."""
-    joined = Solids(
-        *(
-            np.concatenate(parts)
-            for parts in zip(*(each._replace(points=_NO_POINTS) for each in (solids, *more)), strict=True)
-        )
+def with_more(solids: Solids, *more: Solids) -> Solids:
+    """The same with others behind them, whose vertices come behind theirs."""
+    moved, first_row = [], 0
+    for each in (solids, *more):
+        moved.append(in_rows_from(each, first_row) if first_row and len(each.points) else each)
+        first_row += len(each.points)
+    return Solids(*(np.concatenate(parts) for parts in zip(*moved, strict=True)))
+
+
+def in_rows_from(solids: Solids, first_row: int) -> Solids:
+    """The same whose vertices come behind so many others."""
+    hull = solids.kind == HULL
+    rows = np.where(hull, first_row, 0)
+    return solids._replace(
+        few=solids.few + rows[:, None], all=solids.all + rows[:, None], rough=solids.rough + rows
     )
-    return joined._replace(points=solids.points)

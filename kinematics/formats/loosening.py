@@ -15,7 +15,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.distance.link_solids import coal_shape
+from kinematics.distance.link_solids import coal_solids
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Shape
 from kinematics.model.robot_model import RobotModel
@@ -179,7 +179,7 @@ def _distance_m(model: RobotModel, q: Array, link: str, shape: Shape, world_T_sh
     geometry = model.geometry()
     placed = geometry.createData()
     pin.updateGeometryPlacements(model.pin, model.pin.createData(), geometry, placed, q)
-    solid = coal_shape(shape)
+    solids = coal_solids(shape)
     there = coal.Transform3s(world_T_shape[:3, :3], world_T_shape[:3, 3])
     apart_m = [
         coal.distance(
@@ -192,5 +192,6 @@ def _distance_m(model: RobotModel, q: Array, link: str, shape: Shape, world_T_sh
         )
         for item, at in zip(geometry.geometryObjects, placed.oMg, strict=True)
         if model.link_of(item) == link
+        for solid in solids
     ]
     return float(min(apart_m, default=np.inf))

@@ -14,6 +14,7 @@ import numpy as np
 from kinematics.arrays import Array, Sealed
 from kinematics.formats.json_reader import Node
 from kinematics.geometry import poses
+from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.scene.planning_scene import Pair, SceneObject
@@ -23,6 +24,8 @@ MAX_ENTRIES = 10_000
 MAX_POSITION = 1e3
 MAX_SIZE_M = 1e3
 MAX_MASS_KG = 1e3
+MAX_PARTS, MAX_CORNERS = 64, 256
+_FLAT_M = 1e-6
 """Bounds of plausibility, in m and rad: beyond them sums of squares lose all meaning."""
 UNIT_TOLERANCE = 1e-3
 """A quaternion of a pose may miss length 1 by this much; it is normalised."""
@@ -147,23 +150,42 @@ def pose_json(pose: Transform) -> dict[str, object]:
 
 def _shape(node: Node) -> Shape:
     kind = node.key("kind").choice(("box", "cylinder", "ball"))
+    parts = _parts(node.key("parts")) if node.has("parts") else None
     if kind == "box":
-        node.only(("kind", "size_m"))
+        node.only(("kind", "size_m"), ("parts",))
         x, y, z = node.key("size_m").numbers(("x", "y", "z"), MAX_SIZE_M, positive=True)
-        return Box((float(x), float(y), float(z)))
+        return Box((float(x), float(y), float(z)), parts)
     if kind == "cylinder":
-        node.only(("kind", "radius_m", "height_m"))
+        node.only(("kind", "radius_m", "height_m"), ("parts",))
         radius_m = node.key("radius_m").number(MAX_SIZE_M, positive=True)
-        return Cylinder(radius_m, node.key("height_m").number(MAX_SIZE_M, positive=True))
-    node.only(("kind", "radius_m"))
-    return Ball(node.key("radius_m").number(MAX_SIZE_M, positive=True))
+        return Cylinder(radius_m, node.key("height_m").number(MAX_SIZE_M, positive=True), parts)
+    node.only(("kind", "radius_m"), ("parts",))
+    return Ball(node.key("radius_m").number(MAX_SIZE_M, positive=True), parts)
+
+
+def _parts(node: Node) -> ConvexParts:
+    node.only(("key", "corners_m"))
+    hulls = [
+        [corner.numbers(("x", "y", "z"), MAX_SIZE_M) for corner in part.items(4, MAX_CORNERS)]
+        for part in node.key("corners_m").items(1, MAX_PARTS)
+    ]
+    for number, hull in enumerate(hulls):
+        if np.linalg.svd(np.array(hull) - np.mean(hull, axis=0), compute_uv=False)[2] < _FLAT_M:
+            raise node.key("corners_m").error(f"part {number} is flat")
+    ends = tuple(np.cumsum([len(hull) for hull in hulls]).tolist())
+    return ConvexParts(node.key("key").text(), np.array([row for hull in hulls for row in hull]), ends)
 
 
 def _shape_json(shape: Shape) -> dict[str, object]:
+    parts = {} if shape.parts is None else {"parts": _parts_json(shape.parts)}
     match shape:
         case Box(size_m=size):
-            return {"kind": "box", "size_m": list(size)}
+            return {"kind": "box", "size_m": list(size), **parts}
         case Cylinder(radius_m=radius, height_m=height):
-            return {"kind": "cylinder", "radius_m": radius, "height_m": height}
+            return {"kind": "cylinder", "radius_m": radius, "height_m": height, **parts}
         case Ball(radius_m=radius):
-            return {"kind": "ball", "radius_m": radius}
+            return {"kind": "ball", "radius_m": radius, **parts}
+
+
+def _parts_json(parts: ConvexParts) -> dict[str, object]:
+    return {"key": parts.key, "corners_m": [hull.tolist() for hull in parts.hulls]}

@@ -1,15 +1,22 @@
-"""The simple solids that scenes are made of, centred on their own origin, in metres."""
+"""The simple solids that scenes are made of, centred on their own origin, in metres.
+
+What is no such solid has the simple one that holds it, its outline, and says in ``parts`` what is in that.
+Who judges contacts or takes hold of a thing looks at its parts; for all else the outline will do.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+from kinematics.geometry.convex_parts import ConvexParts
 
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A box; ``size_m`` are its full edge lengths along x, y, z."""
+    """A box; ``size_m`` are its full edge lengths along x, y, z, ``parts`` what it is the outline of."""
 
     size_m: tuple[float, float, float]
+    parts: ConvexParts | None = field(default=None, repr=False)
 
     @property
     def height_m(self) -> float:
@@ -19,17 +26,19 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """An upright cylinder about z."""
+    """An upright cylinder about z; ``parts`` is what it is the outline of."""
 
     radius_m: float
     height_m: float
+    parts: ConvexParts | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """A ball."""
+    """A ball; ``parts`` is what it is the outline of."""
 
     radius_m: float
+    parts: ConvexParts | None = field(default=None, repr=False)
 
     @property
     def height_m(self) -> float:

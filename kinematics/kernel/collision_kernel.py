@@ -123,7 +123,7 @@ class CollisionKernel:
             own_pairs=len(self._own.first),
         )
         blocks = [robot.fixed(space, limits, TUNING), found.moves.laid_out, found.laid_out]
-        packed = pack(robot.hulls, blocks, sizes, robot.buffers)
+        packed = pack(robot.hulls, found.vertices, blocks, sizes, robot.buffers)
         self._shared = _Shared(packed, found.judged, robot.buffers)
         self._judged = found.judged
         self._nothing = np.empty(0)

@@ -46,7 +46,8 @@ class HandKernel:
     def __init__(self, hand: RobotArrays, scene: PlanningScene, target: str, extra_margin_m: float) -> None:
         others = [item for item in scene.objects.values() if item.name != target]
         self._kernel = CollisionKernel(hand, PlanningScene().with_objects(others), None, None, extra_margin_m)
-        self._margins_m = np.array([item.margin_m + extra_margin_m for item in others])
+        counts = [1 if item.shape.parts is None else len(item.shape.parts.ends) for item in others]
+        self._margins_m = np.repeat([item.margin_m + extra_margin_m for item in others], counts)
 
     def collisions(self, world_T_tcp: Array) -> NDArray[np.bool_]:
         """Tell whether the hand is too near to anything, by pose, shape (n, 4, 4) to (n,)."""

@@ -57,7 +57,7 @@ _AROUND = ("object_margin", "judged", "object_low", "object_high")
 _SOLID_ROWS = dict(zip(Solids._fields, _rows_of("solids"), strict=True))
 HULL_ROWS = [_SOLID_ROWS["points"]]
 SCENE_SOLIDS = tuple(name for name in Solids._fields if name != "points")
-"""What a scene adds to; only the robot has hulls."""
+"""What a scene adds to; the vertices of its hulls come behind the robot's."""
 SCENE_ROWS = [
     *(_SOLID_ROWS[name] for name in SCENE_SOLIDS),
     *(_PAIR_ROWS[name] for name in _AROUND),
@@ -107,6 +107,11 @@ def block(values: Iterable[Value | Parts], rows: Sequence[int]) -> Block:
     )
 
 
+# A block of no arrays: its buffers are a part of those of the block before.
+_NO_INTS = np.empty(0, np.int64)
+_NO_ROWS = np.empty((0, 4), np.int64), _NO_INTS, _NO_INTS
+
+
 class Sizes(NamedTuple):
     """The numbers that say how much memory the compiled collision judge needs.
 
@@ -128,25 +133,28 @@ class Sizes(NamedTuple):
     own_pairs: int
 
 
-def pack(hulls: Block, blocks: Sequence[Block], sizes: Sizes, buffers: Buffers) -> Packed:
+def pack(hulls: Block, vertices: Array, blocks: Sequence[Block], sizes: Sizes, buffers: Buffers) -> Packed:
     """Put a whole problem and the memory for it into two buffers; what outlives a question is zero.
 
     Args:
-        hulls: What the buffers begin with already.
+        hulls: The vertices that the buffers begin with already.
+        vertices: Those that come behind them, shape (n, 3), m.
         blocks: All the rest.
         sizes: Of the memory.
         buffers: Where the two come from.
     """
     table = np.empty((_GIVEN + len(Work._fields), 4), np.int64)
     begins = np.zeros(2, np.int64)
-    for part in (hulls, *blocks):
+    more = Block(vertices.ravel(), _NO_INTS, *_NO_ROWS)
+    for part in (hulls, more, *blocks):
         table[part.rows] = part.table
         table[part.rows, 0] += begins[part.are_floats]
         begins += len(part.ints), len(part.floats)
+    table[HULL_ROWS, 1] += len(vertices)
     ints, floats = begins.tolist()
     more_floats, more_ints = _lay_out_memory(sizes, floats, ints, table)
     packed = Packed(*buffers.take(more_floats, more_ints), table)
-    np.concatenate([part.floats for part in blocks], out=packed.floats[len(hulls.floats) : floats])
+    np.concatenate([part.floats for part in (more, *blocks)], out=packed.floats[len(hulls.floats) : floats])
     np.concatenate([part.ints for part in blocks], out=packed.ints[:ints])
     packed.floats[floats:more_floats] = 0.0
     for begin, *lengths in table[_LASTING].tolist():

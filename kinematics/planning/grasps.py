@@ -86,6 +86,7 @@ class GraspTable:
         world_T_tcp: Where the TCP is, shape (n, 4, 4).
         diameter_m: Width of what is between the pads, shape (n,).
         cost: As of ``GraspCandidate``, shape (n,).
+        off_centre_m: As of ``Grasp``, shape (n,); None where it is 0.
         label: What ``name`` makes the labels of: the first parts by yaw and kind, the index of the yaw and of
             the kind of each grasp, and the end of its label.
     """
@@ -96,6 +97,7 @@ class GraspTable:
     diameter_m: Array
     cost: Array
     label: tuple[tuple[tuple[str, ...], ...], NDArray[np.intp], NDArray[np.intp], Sequence[str]]
+    off_centre_m: Array | None = None
 
     def __len__(self) -> int:
         return len(self.cost)
@@ -113,6 +115,7 @@ class GraspTable:
             world_T_tcp=self.world_T_tcp[row],
             approach_m=self.approach_m,
             diameter_m=float(self.diameter_m[row]),
+            off_centre_m=0.0 if self.off_centre_m is None else float(self.off_centre_m[row]),
         )
         return GraspCandidate(grasp, float(self.cost[row]))
 

@@ -10,7 +10,9 @@ from collections.abc import Sequence
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
+from kinematics.planning.grasps_of_shapes import no_grasp_reason
 from kinematics.planning.pick_task import Goal, PickTask, Way
+from kinematics.planning.shape_grasps import needs_shape_grasps
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.requests.step import NoPlan, WhyNoPlan
 from kinematics.standing.reserves import LEAST_RESERVE_M, PLANNING_RESERVE_M
@@ -45,8 +47,8 @@ class PickPlanner:
         if (plan := self._best(thorough)) is not None:
             return plan
         considered = usual.considered + thorough.considered
-        if considered == 0 and (too_wide := self._too_wide(request)) is not None:
-            return too_wide
+        if considered == 0 and (nowhere := self._nowhere(request)) is not None:
+            return nowhere
         hands = " or ".join(request.hands)
         return NoPlan(
             f"no way to grasp the {request.target} with the {hands} hand was found",
@@ -54,6 +56,15 @@ class PickPlanner:
             {"grasps_considered": float(considered)},
             WhyNoPlan.NO_GRASP,
         )
+
+    def _nowhere(self, request: PickRequest) -> NoPlan | None:
+        """That no hand can take hold of it wherever it is; None for what one could."""
+        target, grippers = request.scene.objects[request.target], self._model.description.grippers
+        if needs_shape_grasps(target.shape.parts):
+            reasons = [no_grasp_reason(target, grippers[hand]) for hand in request.hands]
+            known = [reason for reason in reasons if reason is not None]
+            return NoPlan(known[0], {}, {}, WhyNoPlan.TOO_WIDE) if len(known) == len(reasons) else None
+        return self._too_wide(request)
 
     def _too_wide(self, request: PickRequest) -> NoPlan | None:
         """That no hand opens so far; None for what is not too wide."""

@@ -23,7 +23,8 @@ from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
-from kinematics.planning.grasps import GraspCandidate, GraspTable, grasp_table, key_of
+from kinematics.planning.grasps import GraspCandidate, GraspTable, key_of
+from kinematics.planning.grasps_of_shapes import any_grasp_table
 from kinematics.planning.path_planner import PathPlanner
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
 from kinematics.requests.grasp import Grasp
@@ -107,7 +108,7 @@ class PickTask(PlanningTask):
         rows_of: list[list[int]] = []
         excluded = self._request.excluded
         for hand, offset in self._in_reach.items():
-            table = grasp_table(
+            table = any_grasp_table(
                 self._target,
                 self._model.description.grippers[hand],
                 float(np.arctan2(offset[1], offset[0])),

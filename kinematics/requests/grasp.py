@@ -19,6 +19,8 @@ class Grasp(Sealed):
         world_T_tcp: Pose of the TCP when the fingers close, shape (4, 4).
         approach_m: Length of the straight approach along the TCP's x axis.
         diameter_m: Opening that is expected when the pads hold the object.
+        off_centre_m: Where the middle of the object is along the opening then, from the TCP: not between the
+            pads where it is held by a handle or a neck.
     """
 
     hand: Hand
@@ -26,3 +28,4 @@ class Grasp(Sealed):
     world_T_tcp: Transform
     approach_m: float
     diameter_m: float
+    off_centre_m: float = 0.0

@@ -285,17 +285,19 @@ def _mean_rotation(rotations: Sequence[Array]) -> Array:
 
 def _upright(rotation: Array, shape: Shape, category: Category) -> Array:
     """Vertical when it stands (heading kept, but for round things); else as it lies."""
-    if isinstance(shape, Ball):
+    if isinstance(shape, Ball) and shape.parts is None:
         return np.eye(3)
     if math.acos(min(max(float(rotation[2, 2]), -1.0), 1.0)) > _STANDING_TILT_RAD:
         return rotation
-    faceless = isinstance(shape, Cylinder) and category != "person"
+    faceless = isinstance(shape, Cylinder) and shape.parts is None and category != "person"
     return np.eye(3) if faceless else poses.rotation_z(poses.yaw_of(rotation))
 
 
 def _mean_shape(shapes: Sequence[Shape]) -> Shape:
     """Mean size; by the median, so that merged detections do not widen it."""
     first = shapes[0]
+    if first.parts is not None and all(shape == first for shape in shapes):
+        return first
     if isinstance(first, Box):
         x, y, z = zip(*(shape.size_m for shape in shapes if isinstance(shape, Box)), strict=True)
         return Box((_median(x), _median(y), _median(z)))

@@ -354,6 +354,9 @@ def _turns(vectors_rad: Array) -> Array:
 
 @lru_cache(maxsize=256)
 def _resized(shape: Shape, scale: tuple[float, float, float]) -> Shape:
+    """With errors of its size; of what is recognised by its model, whose size that tells, as it is."""
+    if shape.parts is not None:
+        return shape
     if isinstance(shape, Box):
         x, y, z = (a * b for a, b in zip(shape.size_m, scale, strict=True))
         return Box((x, y, z))

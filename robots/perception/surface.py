@@ -14,6 +14,8 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 _LIFT_M = 1e-4
 # A face that is larger is often seen only in part, between other things.
 _LARGE_M = 0.3
+# Points of what is made of parts.
+_OF_PARTS = 80
 
 
 @lru_cache(maxsize=256)
@@ -23,7 +25,10 @@ def surface_points(shape: Shape) -> tuple[Array, Array]:
     Returns:
         Points in the solid's own frame, m, and unit outward normals; shape (n, 3) each, read-only.
     """
-    if isinstance(shape, Box):
+    if shape.parts is not None and len(shape.parts.surface):
+        # they are there in no order
+        points, normals = shape.parts.surface[:_OF_PARTS], shape.parts.normals[:_OF_PARTS]
+    elif isinstance(shape, Box):
         points, normals = _box(np.array(shape.size_m))
     elif isinstance(shape, Cylinder):
         points, normals = _cylinder(shape.radius_m, shape.height_m)

@@ -18,6 +18,7 @@ from kinematics.geometry.shapes import Shape
 from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
+from robots.scenes.meshes.object_model import ObjectModel
 from robots.scenes.scene_words import ANY_LABEL, COLORS
 
 Posture = Literal["standing", "sitting", "lying"]
@@ -139,6 +140,8 @@ class SceneItem(Sealed):
         names: What it is called besides, the usual name first.
         categories: What sorts of things it belongs to.
         texture: File of the picture that is on it, around a can and on the sides of a box, or None.
+        mesh: File of the mesh that it was made of, or None.
+        model: What was made of that; ``shape`` is its outline then.
     """
 
     name: str
@@ -152,6 +155,8 @@ class SceneItem(Sealed):
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
     texture: str | None = None
+    mesh: str | None = None
+    model: ObjectModel | None = None
 
 
 @dataclass(frozen=True, slots=True)

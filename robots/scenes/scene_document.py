@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag, Va
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.light import Light, LightChange, LightKind
+from robots.scenes.meshes.sidecar import UpKey
 from robots.scenes.scene_description import (
     Furniture,
     MovingPart,
@@ -214,8 +215,22 @@ class BallTable(_ObjectTable):
         return Ball(self.radius_m)
 
 
+class MeshTable(_ObjectTable):
+    """What has a mesh for a shape; what is not said is as its sidecar says."""
+
+    like = "box"
+    mesh: Text
+    name: Text = ""
+    kind: Text = ""
+    label: Text | None = None
+    scale: FiniteFloat | None = None
+    up: UpKey | None = None
+    density_kg_m3: FiniteFloat | None = None
+    friction: FiniteFloat | None = None  # type: ignore[assignment]
+
+
 AnyFurniture = Annotated[FurnitureTable | DrawersTable | FridgeTable, Field(discriminator="kind")]
-ObjectTable = CylinderTable | BowlTable | BoxTable | BallTable
+ObjectTable = CylinderTable | BowlTable | BoxTable | BallTable | MeshTable
 
 _A_SLIP = 0.8
 """Likeness of two words of which one is the other misspelled."""
@@ -226,7 +241,7 @@ _SIZES = "say size_m = [x, y, z] of a box, radius_m and height_m of a cylinder, 
 
 def _shaped(data: Any) -> Any:
     """Refuse an object whose shape nothing tells; a kind that is nearly a usual one is a slip of the pen."""
-    if not isinstance(data, dict) or (kind := data.get("kind")) is None:
+    if not isinstance(data, dict) or "mesh" in data or (kind := data.get("kind")) is None:
         return data
     if "shape" in data and data["shape"] not in _SHAPES:
         raise said_of("shape", unknown_word("shape", str(data["shape"]), _SHAPES))
@@ -245,6 +260,8 @@ _UNTOLD = "untold"
 
 def _shape_of(data: Any) -> str | None:
     """Which table an object is read as; pydantic asks for it."""
+    if isinstance(data, dict) and "mesh" in data:
+        return f"{TAG}mesh"
     if not isinstance(data, dict) or data.get("kind") is None:
         return None
     kind, shape = data["kind"], data.get("shape")
@@ -267,7 +284,8 @@ AnyObject = Annotated[
     Annotated[CylinderTable, Tag(f"{TAG}cylinder")]
     | Annotated[BowlTable, Tag(f"{TAG}bowl")]
     | Annotated[BoxTable, Tag(f"{TAG}box")]
-    | Annotated[BallTable, Tag(f"{TAG}ball")],
+    | Annotated[BallTable, Tag(f"{TAG}ball")]
+    | Annotated[MeshTable, Tag(f"{TAG}mesh")],
     Discriminator(_shape_of),
     BeforeValidator(_shaped),
 ]

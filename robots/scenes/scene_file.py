@@ -17,13 +17,14 @@ from robots.errors import SceneError
 from robots.outside import known_scenes, scene_files
 from robots.scenes import furniture
 from robots.scenes.furniture import board_tops_m
+from robots.scenes.meshes.mesh_thing import mesh_thing
 from robots.scenes.picture_file import picture_file
 from robots.scenes.scene_description import (
     Furniture,
     SceneDescription,
     SceneItem,
 )
-from robots.scenes.scene_document import BowlTable, BoxTable, ObjectTable, SceneDocument
+from robots.scenes.scene_document import BowlTable, BoxTable, MeshTable, ObjectTable, SceneDocument
 from robots.scenes.scene_rules import validate
 from robots.scenes.scene_words import nearest_word
 from robots.scenes.usual_properties import usual_mass_kg
@@ -116,6 +117,8 @@ def _near_scene(stem: str) -> str:
 
 
 def _item(table: ObjectTable, pieces: tuple[Furniture, ...], source: str, index: int) -> SceneItem:
+    if isinstance(table, MeshTable):
+        return _mesh_item(table, pieces, source, index)
     shape = table.shape()
     wall_m = table.wall_m if isinstance(table, BowlTable | BoxTable) else None
     usual_kg = usual_mass_kg(table.weighs_as, shape, wall_m) if table.mass_kg is None else table.mass_kg
@@ -135,6 +138,26 @@ def _item(table: ObjectTable, pieces: tuple[Furniture, ...], source: str, index:
         names=table.names,
         categories=table.categories,
         texture=None if table.texture is None else picture_file(table.texture, shape, source, fail),
+    )
+
+
+def _mesh_item(table: MeshTable, pieces: tuple[Furniture, ...], source: str, index: int) -> SceneItem:
+    def fail(key: str, reason: str) -> SceneError:
+        return SceneError(source, f"object[{index}].{key}", reason)
+
+    thing = mesh_thing(table, source, fail)
+    return SceneItem(
+        name=thing.name,
+        kind=thing.kind,
+        color=table.color,
+        shape=thing.model.outline,
+        mass_kg=thing.mass_kg,
+        friction=thing.friction,
+        world_T_object=_place(table, thing.model.outline, pieces, fail),
+        names=thing.names,
+        categories=thing.categories,
+        mesh=thing.file,
+        model=thing.model,
     )
 
 

@@ -62,7 +62,8 @@ def dump(scene: SceneDescription) -> str:
         called = {"names": item.names, "categories": item.categories}
         lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
         lines += _pairs(**{key: words for key, words in called.items() if words})
-        lines += _pairs(**_shape_keys(item.shape), mass_kg=item.mass_kg, friction=item.friction)
+        shape = _shape_keys(item.shape) if item.mesh is None else {"mesh": item.mesh}
+        lines += _pairs(**shape, mass_kg=item.mass_kg, friction=item.friction)
         if item.wall_m is not None:
             lines += _pairs(wall_m=item.wall_m)
         if item.texture is not None:

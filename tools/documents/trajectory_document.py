@@ -8,8 +8,10 @@ from pydantic import Field
 
 from kinematics.formats.json_reader import MAX_TEXT
 from kinematics.formats.solid_document import (
+    MAX_CORNERS,
     MAX_ENTRIES,
     MAX_MASS_KG,
+    MAX_PARTS,
     MAX_POSITION,
     MAX_SIZE_M,
     UNIT_TOLERANCE,
@@ -27,6 +29,7 @@ from tools.documents.published import Published, absent, constant
 
 Name = Annotated[str, Field(min_length=1, max_length=MAX_TEXT)]
 Length = Annotated[float, Field(gt=0.0, le=MAX_SIZE_M)]
+Extent = Annotated[float, Field(ge=-MAX_SIZE_M, le=MAX_SIZE_M)]
 Distance = Annotated[float, Field(ge=0.0, le=MAX_SIZE_M)]
 Coordinate = Annotated[float, Field(ge=-MAX_POSITION, le=MAX_POSITION)]
 Rate = Annotated[float, Field(ge=-MAX_VELOCITY, le=MAX_VELOCITY)]
@@ -46,14 +49,38 @@ class PoseDocument(Published):
     quaternion_xyzw: Quaternion
 
 
-class BoxDocument(Published):
+class PartsDocument(Published):
+    """What a solid is the outline of: convex parts in its own frame, which contacts are judged by."""
+
+    key: Name
+    """Things of one key are made of the same parts."""
+    corners_m: Annotated[
+        list[
+            Annotated[
+                list[Annotated[list[Extent], Field(min_length=3, max_length=3)]],
+                Field(min_length=4, max_length=MAX_CORNERS),
+            ]
+        ],
+        Field(min_length=1, max_length=MAX_PARTS),
+    ]
+    """Of each part the corners x, y, z; no part is flat."""
+
+
+class OutlineDocument(Published):
+    """What every solid may have."""
+
+    parts: PartsDocument = absent()
+    """What it is the outline of; left out where it is solid."""
+
+
+class BoxDocument(OutlineDocument):
     """A box, centred on its own frame."""
 
     kind: Literal["box"]
     size_m: Annotated[list[Length], Field(min_length=3, max_length=3)]
 
 
-class CylinderDocument(Published):
+class CylinderDocument(OutlineDocument):
     """A cylinder along z, centred on its own frame."""
 
     kind: Literal["cylinder"]
@@ -61,7 +88,7 @@ class CylinderDocument(Published):
     height_m: Length
 
 
-class BallDocument(Published):
+class BallDocument(OutlineDocument):
     """A ball, centred on its own frame."""
 
     kind: Literal["ball"]

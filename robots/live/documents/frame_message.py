@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from robots.live.wire.messages import write_message
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.fusion.cameras import HEAD
 from robots.perception.position_error import PositionError
+from robots.scenes.meshes.object_model import NoModelError, read_model
 
 
 def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
@@ -107,22 +109,35 @@ def _square(numbers: Any) -> Array:
 
 
 def _shape_json(shape: Shape) -> list[Any]:
+    """A shape; of its parts, which never change, the file that both sides can read."""
+    parts = [] if shape.parts is None or not shape.parts.file else [shape.parts.file]
     match shape:
         case Box(size_m=size):
-            return ["box", *size]
+            return ["box", *size, *parts]
         case Cylinder(radius_m=radius, height_m=height):
-            return ["cylinder", radius, height]
+            return ["cylinder", radius, height, *parts]
         case Ball(radius_m=radius):
-            return ["ball", radius]
+            return ["ball", radius, *parts]
 
 
 def _shape(values: list[Any]) -> Shape:
     match values:
-        case ["box", x, y, z]:
-            return Box((float(x), float(y), float(z)))
-        case ["cylinder", radius, height]:
-            return Cylinder(float(radius), float(height))
-        case ["ball", radius]:
-            return Ball(float(radius))
+        case ["box", x, y, z, *file]:
+            return _with_parts(Box((float(x), float(y), float(z))), file)
+        case ["cylinder", radius, height, *file]:
+            return _with_parts(Cylinder(float(radius), float(height)), file)
+        case ["ball", radius, *file]:
+            return _with_parts(Ball(float(radius)), file)
         case _:
             raise ValueError(f"no shape {values!r}")
+
+
+def _with_parts(outline: Shape, file: list[Any]) -> Shape:
+    """The outline with its parts, where they can be read: it holds them, and does for them where not."""
+    if not file:
+        return outline
+    try:
+        kept = read_model(Path(str(file[0])))
+    except NoModelError:
+        return outline
+    return kept.scaled_to(outline)

@@ -15,6 +15,7 @@ from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec
 from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
+from robots.simulated.body.mesh_model import part_names
 from robots.simulated.body.scene_model import FLOOR, add_scene, joint_name
 
 TIMESTEP_S = 0.001
@@ -53,7 +54,10 @@ class Physics:
         self._fresh_time_s = -1.0
         self.geom_role, self.geom_label = self._label_geoms()
         self.base_body = self.body_id(description.base_link)
-        self.object_geom = {item.name: self.scene_geom_id(item.name) for item in scene.objects}
+        self.object_geoms = {
+            item.name: np.array([self.scene_geom_id(part) for part in part_names(item)])
+            for item in scene.objects
+        }
         self.object_body = {item.name: self.body_id(in_simulator(item.name)) for item in scene.objects}
         self.object_qpos = {item.name: self._qpos_address(joint_name(item.name)) for item in scene.objects}
         self.object_qvel = {item.name: self._dof_address(joint_name(item.name)) for item in scene.objects}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import mujoco
 import numpy as np
 
@@ -22,6 +24,7 @@ from robots.simulated.body.body_model import (
 )
 from robots.simulated.body.furniture_model import add_moving_part
 from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
+from robots.simulated.body.mesh_model import add_mesh_object, part_names
 from robots.simulated.body.person_model import add_person
 
 FLOOR = "floor"
@@ -67,27 +70,39 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
         _add_object(spec, item)
     pads = [link for gripper in description.grippers.values() for link in gripper.pad_links]
     for item in scene.objects:
-        condim = 6 if isinstance(item.shape, Ball) else 4
-        for link in pads:
+        for part in part_names(item):
+            _add_pairs(spec, scene, item, in_simulator(part), pads)
+
+
+def _add_pairs(
+    spec: mujoco.MjSpec, scene: SceneDescription, item: SceneItem, geom: str, pads: Sequence[str]
+) -> None:
+    """How pads and furniture touch a solid of an object."""
+    for link in pads:
+        spec.add_pair(
+            name=pair_name(pad_name(link), geom),
+            geomname1=pad_name(link),
+            geomname2=geom,
+            condim=4,
+            friction=friction_row(item.friction, PATCH_RADIUS_M),
+            solref=list(PAD_SOLREF),
+            solreffriction=list(PAD_SOLREF_FRICTION),
+            solimp=list(PAD_SOLIMP),
+        )
+    for piece in scene.furniture:
+        for solid in furniture.solids(piece):
             spec.add_pair(
-                name=pair_name(pad_name(link), in_simulator(item.name)),
-                geomname1=pad_name(link),
-                geomname2=in_simulator(item.name),
-                condim=4,
-                friction=friction_row(item.friction, PATCH_RADIUS_M),
-                solref=list(PAD_SOLREF),
-                solreffriction=list(PAD_SOLREF_FRICTION),
-                solimp=list(PAD_SOLIMP),
+                name=pair_name(in_simulator(solid.name), geom),
+                geomname1=in_simulator(solid.name),
+                geomname2=geom,
+                condim=6 if rolls(item) else 4,
+                friction=friction_row(piece.friction, REST_PATCH_M),
             )
-        for piece in scene.furniture:
-            for solid in furniture.solids(piece):
-                spec.add_pair(
-                    name=pair_name(in_simulator(solid.name), in_simulator(item.name)),
-                    geomname1=in_simulator(solid.name),
-                    geomname2=in_simulator(item.name),
-                    condim=condim,
-                    friction=friction_row(piece.friction, REST_PATCH_M),
-                )
+
+
+def rolls(item: SceneItem) -> bool:
+    """Whether an object is a ball."""
+    return isinstance(item.shape, Ball) and item.model is None
 
 
 def _add_floor(spec: mujoco.MjSpec) -> None:
@@ -134,6 +149,10 @@ def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
     body = spec.worldbody.add_body(name=in_simulator(item.name))
     _place(body, item.world_T_object)
     body.add_freejoint(name=joint_name(item.name))
+    if item.model is not None:
+        friction = [item.friction, item.friction * REST_PATCH_M, ROLLING_M]
+        add_mesh_object(spec, body, item, item.model, friction)
+        return
     color = COLORS.get(item.color or "", COLORS["grey"])
     parts = hollow_parts(item)
     for name, shape, item_T_part, share in parts or [(item.name, item.shape, np.eye(4), 1.0)]:
@@ -141,7 +160,7 @@ def _add_object(spec: mujoco.MjSpec, item: SceneItem) -> None:
             name=in_simulator(name),
             mass=item.mass_kg * share,
             rgba=[*color, 1.0],
-            condim=6 if isinstance(item.shape, Ball) else 4,
+            condim=6 if rolls(item) else 4,
             friction=[item.friction, item.friction * REST_PATCH_M, ROLLING_M],
             group=WORLD_GROUP,
         )

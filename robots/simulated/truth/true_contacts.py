@@ -114,7 +114,7 @@ class TrueContacts:
             KeyError: The scene has no such object.
         """
         pairs, label = self._contact_geoms(), self._physics.geom_label
-        mine = pairs == self._physics.object_geom[name]
+        mine = np.isin(pairs, self._physics.object_geoms[name])
         others = pairs[:, ::-1][mine]
         return tuple(sorted({label[geom] for geom in others}))
 
@@ -125,17 +125,18 @@ class TrueContacts:
             KeyError: The scene has no such object.
         """
         physics, data = self._physics, self._physics.data
-        geom, pairs = physics.object_geom[name], self._contact_geoms()
+        pairs = self._contact_geoms()
+        is_mine = np.isin(pairs, physics.object_geoms[name])
         is_pad = physics.geom_role[pairs] == Role.PAD
         found = []
-        for i in np.flatnonzero(np.any(pairs == geom, axis=1) & np.any(is_pad, axis=1)):
+        for i in np.flatnonzero(np.any(is_mine, axis=1) & np.any(is_pad, axis=1)):
             first, second = pairs[i]
             frame = data.contact.frame[i].reshape(3, 3)
             mujoco.mj_contactForce(physics.model, data, int(i), self._wrench)
             # MuJoCo's force acts on the second geom.
-            sign = 1.0 if second == geom else -1.0
+            sign = 1.0 if is_mine[i, 1] else -1.0
             tangential = sign * (frame[1] * self._wrench[1] + frame[2] * self._wrench[2])
-            pad = physics.geom_label[first if second == geom else second]
+            pad = physics.geom_label[first if is_mine[i, 1] else second]
             friction = float(data.contact.friction[i, 0])
             found.append(PadContact(pad, friction, float(self._wrench[0]), tangential))
         return tuple(found)

@@ -126,7 +126,7 @@ class SimulatorTruth:
         """The same from any place in the world, shape (3,)."""
         physics = self._physics
         physics.refresh()
-        geom = -2 if any(person.name == name for person, _ in self._people) else physics.scene_geom_id(name)
+        own = self._own_geoms(name)
         rays = np.ascontiguousarray(np.atleast_2d(points) - start)
         count = rays.shape[0]
         hit = np.full(count, -1, dtype=np.int32)
@@ -137,7 +137,15 @@ class SimulatorTruth:
         )  # fmt: skip
         length = np.linalg.norm(rays, axis=1)
         reached = (share < 0.0) | (share * length >= length - RAY_SLACK_M)
-        return np.asarray((hit == geom) | reached, dtype=np.bool_)
+        return np.asarray(np.isin(hit, own) | reached, dtype=np.bool_)
+
+    def _own_geoms(self, name: str) -> list[int]:
+        """What of a solid a ray may meet; of what has a mesh, what is seen of it and its parts."""
+        if any(person.name == name for person, _ in self._people):
+            return []
+        if name in self._items and self._items[name].model is not None:
+            return [k for k, label in enumerate(self._physics.geom_label) if label == name]
+        return [self._physics.scene_geom_id(name)]
 
     # --- where things are -------------------------------------------------------------------
 
@@ -191,6 +199,8 @@ class SimulatorTruth:
         """Height of an object's lowest point above the floor."""
         world_T_object = self.world_T_object(name)
         shape, z = self._items[name].shape, world_T_object[2, :3]
+        if shape.parts is not None:
+            return float(world_T_object[2, 3] + (shape.parts.corners @ z).min())
         match shape:
             case Box(size_m=size):
                 extent = float(0.5 * np.abs(z) @ np.asarray(size))

@@ -1,5 +1,7 @@
 """A mug is a cup, whatever the detector calls it."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from executive.understanding.canonical_detector import CanonicalDetector
@@ -58,3 +60,11 @@ def test_a_frame_that_needs_no_translation_is_the_same_frame():
 
 def test_labels_are_told_in_both_words():
     assert CanonicalDetector(Seeing(), canonical_kind).labels == {"mug", "cup", "widget"}
+
+
+def test_what_sentences_call_the_same_as_its_name_is_a_name_of_it_too():
+    carton = replace(seen("box"), names=("milk carton",))
+
+    (thing,) = told(carton)
+
+    assert thing.names == ("milk carton", "milk")

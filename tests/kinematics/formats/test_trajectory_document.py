@@ -25,6 +25,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.stance import Stance
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import SceneObject
+from tests.kinematics.parts_of_things import random_parts
 
 SCHEMA = json.loads((Path(__file__).parents[3] / "docs" / "reference" / "trajectory.schema.json").read_text())
 
@@ -32,10 +33,16 @@ names = st.text(st.characters(codec="utf-8", exclude_categories=("Cs",)), min_si
     lambda text: text.strip()
 )
 lengths = st.floats(0.001, 5.0)
+parts = st.one_of(
+    st.none(),
+    st.builds(
+        lambda seed, key: random_parts(np.random.default_rng(seed), key).parts, st.integers(0, 99), names
+    ),
+)
 shapes = st.one_of(
-    st.builds(lambda x, y, z: Box((x, y, z)), lengths, lengths, lengths),
-    st.builds(Cylinder, lengths, lengths),
-    st.builds(Ball, lengths),
+    st.builds(lambda x, y, z, parts: Box((x, y, z), parts), lengths, lengths, lengths, parts),
+    st.builds(Cylinder, lengths, lengths, parts),
+    st.builds(Ball, lengths, parts),
 )
 
 

@@ -39,7 +39,8 @@ class Attach(Leaf):
         gripper = self.toolbox.model.description.grippers[grasp.hand]
         world_T_tcp = self.toolbox.model.frame_pose(self.toolbox.sensing.state().q, gripper.tcp_frame)
         tcp_T_object = poses.inverse(world_T_tcp) @ target.odom_T_object
-        tcp_T_object[1, 3] = 0.0  # the closing fingers have centred it along the opening
+        # the closing fingers have centred along the opening what is between them
+        tcp_T_object[1, 3] = grasp.off_centre_m
         world = self.toolbox.world
         before = world.scene.objects[target.name]
         support = support_of(before, world.scene, self.toolbox.policy.support_gap_m)

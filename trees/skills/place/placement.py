@@ -11,12 +11,13 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.geometry.shapes import Box
+from kinematics.geometry.shapes import Box, Shape
 from kinematics.requests.place import Spot
 from kinematics.scene.free_spots import FreeSpot, footprint_radius_m, spots_beside, spots_on
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of
 from robots.scenes.furniture_names import kind_called
+from robots.scenes.meshes.up_axis import upright
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.destination import furniture_named
 from trees.beliefs.grounding.grounding import (
@@ -53,6 +54,8 @@ _DIRECTIONS = {
 # What is put back stands this near to where it was; else something else stands there now.
 _BACK_WITHIN_M = 0.10
 _SAME_PLACE_M = 0.005
+# A thing whose hull rests with its own up so near to the vertical stands upright.
+_LEANS_COSINE = math.cos(math.radians(20))
 SURFACES = ("table", "counter", "shelf", "floor")
 
 
@@ -351,6 +354,18 @@ def _comfort(held: HeldObject, odom_T_base: Transform) -> Callable[[Array], floa
 
 
 def _resting(held: HeldObject, spot: FreeSpot, top: SceneObject) -> Spot:
-    """The pose of an object that stands upright on a spot."""
-    place = spot.place_m + np.array([0.0, 0.0, 0.5 * held.shape.height_m])
-    return Spot(poses.transform(np.eye(3), place), (top.name,))
+    """The pose of an object that stands upright on a spot; of any shape, as its hull rests there."""
+    turn, height_m = how_it_stands(held.shape)
+    place = spot.place_m + np.array([0.0, 0.0, height_m])
+    return Spot(poses.transform(turn, place), (top.name,))
+
+
+def how_it_stands(shape: Shape) -> tuple[Array, float]:
+    """How a thing is turned when it stands, shape (3, 3), and how high its middle is then."""
+    parts = shape.parts
+    if parts is None or not len(parts.rests):
+        return np.eye(3), 0.5 * shape.height_m
+    up = parts.rests[int(np.argmax(parts.rests[:, 2]))]
+    if up[2] < _LEANS_COSINE:
+        return np.eye(3), 0.5 * shape.height_m
+    return upright((float(up[0]), float(up[1]), float(up[2]))), -float((parts.corners @ up).min())

@@ -1,6 +1,7 @@
 """A frame of perception crosses the socket whole."""
 
 from dataclasses import fields
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ from robots.live.documents.frame_message import read_frame, write_frame
 from robots.live.wire.messages import read_object
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
+from robots.scenes.meshes.object_model import ObjectModel, read_model, write_model
+from tests.kinematics.parts_of_things import CORNERS, of_hulls, outlined
 
 POSE = poses.transform(poses.rotation_z(0.3), (0.1, -0.2, 1.5))
 ERROR = PositionError(np.diag([1e-5, 2e-5, 3e-5]), 1e-6 * np.eye(3), 0.02, np.diag([4e-6, 5e-6, 6e-6]))
@@ -44,3 +47,33 @@ def test_everything_that_was_seen_arrives(detection: Detection) -> None:
         np.testing.assert_array_equal(came.noise_m2, sent.noise_m2)
         np.testing.assert_array_equal(came.shared_m2, sent.shared_m2)
         assert came.size_share == sent.size_share
+
+
+@pytest.fixture
+def model(tmp_path: Path) -> ObjectModel:
+    outline = outlined(of_hulls("post", [CORNERS * 0.1, CORNERS * 0.1 + 0.05]))
+    write_model(ObjectModel(outline, CORNERS, np.array([[0, 1, 2]], np.int32)), tmp_path / "post.model")
+    return read_model(tmp_path / "post.model")
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.7])
+def test_what_was_recognised_arrives_with_its_parts(model: ObjectModel, factor: float) -> None:
+    shape = model.scaled(factor).outline
+    frame = PerceptionFrame(0.0, 1, (Detection("object", "post", None, POSE, shape, 0.9),))
+
+    arrived = read_frame(read_object(write_frame(frame))).detections[0].shape
+
+    assert arrived == shape
+    assert arrived.parts is not None
+    np.testing.assert_allclose(arrived.parts.corners, factor * model.parts.corners, rtol=1e-9)
+
+
+def test_where_the_parts_cannot_be_read_the_outline_arrives(model: ObjectModel) -> None:
+    frame = PerceptionFrame(0.0, 1, (Detection("object", "post", None, POSE, model.outline, 0.9),))
+    sent = write_frame(frame)
+    Path(model.parts.file).unlink()
+
+    arrived = read_frame(read_object(sent)).detections[0].shape
+
+    assert arrived.parts is None
+    assert arrived.height_m == model.outline.height_m

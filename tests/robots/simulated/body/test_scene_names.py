@@ -49,8 +49,8 @@ def test_objects_may_be_called_as_anything_of_the_robot_or_the_floor():
     plain = Physics(RobotData(TALOS, HARDWARE), SceneDescription("empty"))
     physics = Physics(RobotData(TALOS, HARDWARE), SceneDescription("odd", objects=items))
 
-    assert [physics.geom_label[physics.object_geom[name]] for name in names] == names
-    assert all(physics.geom_role[physics.object_geom[name]] == Role.OBJECT for name in names)
+    assert [physics.geom_label[physics.object_geoms[name][0]] for name in names] == names
+    assert all(physics.geom_role[physics.object_geoms[name][0]] == Role.OBJECT for name in names)
     for role in (Role.BODY, Role.FINGER, Role.PAD, Role.FLOOR):
         assert np.sum(physics.geom_role == role) == np.sum(plain.geom_role == role)
 

@@ -1,0 +1,116 @@
+"""Grasps of a thing: by its outline where that fits, else by its surface; and why there is none."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.geometry.convex_parts import ConvexParts
+from kinematics.model.robot_description import GripperDescription
+from kinematics.planning.grasps import GraspTable, grasp_table, widest_between_pads_m
+from kinematics.planning.shape_grasps import (
+    NARROWEST_M,
+    ShapeGrasps,
+    needs_shape_grasps,
+    shape_grasps,
+)
+from kinematics.scene.planning_scene import SceneObject
+from kinematics.scene.support_of import half_height_m
+
+_HALF_TURN = np.array([1.0, -1.0, -1.0])
+_ROLLED_COST = 0.3
+_USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20), 0.6
+"""As of grasps by an outline: an arm comes from its own outer side, and a little from above."""
+
+
+def any_grasp_table(
+    item: SceneObject,
+    gripper: GripperDescription,
+    natural_yaw_rad: float,
+    approach_m: float,
+    heights: Sequence[float],
+    extra_cost: float,
+) -> GraspTable:
+    """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
+    parts = item.shape.parts
+    if parts is None or not needs_shape_grasps(parts):
+        return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+    found = shape_grasps(parts, gripper, item.world_T_object)
+    places = item.world_T_object @ found.object_T_tcp
+    rolled = places.copy()
+    rolled[:, :3, :3] = places[:, :3, :3] * _HALF_TURN
+    both = np.concatenate([places, rolled])
+    outward = 1.0 if gripper.hand == "right" else -1.0
+    cost = (
+        _unnatural(both, natural_yaw_rad, outward)
+        + np.concatenate([found.cost, found.cost + _ROLLED_COST])
+        + extra_cost
+    )
+    order = np.argsort(cost, kind="stable")
+    count = len(found.cost)
+    names = tuple(f"by its shape {k}" for k in range(count))
+    return GraspTable(
+        hand=gripper.hand,
+        approach_m=approach_m,
+        world_T_tcp=both[order],
+        diameter_m=np.tile(found.opening_m, 2)[order],
+        cost=cost[order],
+        label=(
+            (names,),
+            np.zeros(len(order), np.intp),
+            np.tile(np.arange(count), 2)[order],
+            ["" if row < count else " rolled" for row in order.tolist()],
+        ),
+        off_centre_m=np.concatenate([found.off_centre_m, -found.off_centre_m])[order],
+    )
+
+
+def _unnatural(places: Array, natural_yaw_rad: float, outward: float) -> Array:
+    """How far poses are from how an arm comes most easily, as of grasps by an outline, shape (n,)."""
+    ahead = places[:, :3, 0]
+    tilt = np.arcsin(np.clip(-ahead[:, 2], -1.0, 1.0))
+    yaw = outward * (np.arctan2(ahead[:, 1], ahead[:, 0]) - natural_yaw_rad)
+    yaw = (yaw + math.pi) % (2.0 * math.pi) - math.pi
+    level = np.hypot(ahead[:, 0], ahead[:, 1])
+    return np.asarray(level * np.abs(yaw - _USUAL_YAW_RAD) + _TILT_SHARE * np.abs(tilt - _USUAL_TILT_RAD))
+
+
+def no_grasp_reason(item: SceneObject, gripper: GripperDescription) -> str | None:
+    """Why a hand can take hold of a thing nowhere, in words for people; None where it could."""
+    parts = item.shape.parts
+    if parts is None or not needs_shape_grasps(parts):
+        return None
+    found = shape_grasps(parts, gripper, item.world_T_object)
+    return None if len(found.cost) else _reason(item, parts, found, gripper)
+
+
+def _reason(item: SceneObject, parts: ConvexParts, found: ShapeGrasps, gripper: GripperDescription) -> str:
+    name, widest = item.name, widest_between_pads_m(gripper)
+    thick = 2.0 * max(half[1] for half in gripper.pad_half_size_m)
+    height, across = 2.0 * half_height_m(item), _least_width_m(parts, item)
+    if across > widest and height < thick:
+        return (
+            f"the {name} is flatter than this hand's fingers are thick: {1000 * height:.0f} mm, "
+            f"and the fingers {1000 * thick:.0f} mm"
+        )
+    if found.fitting or math.isinf(found.narrowest_m):
+        return f"nowhere do two sides of the {name} face each other where this hand's fingers go"
+    if found.narrowest_m > widest:
+        return (
+            f"the {name} is too wide for the hand: {1000 * found.narrowest_m:.0f} mm, "
+            f"and at most {1000 * widest:.0f} mm fit between the fingers"
+        )
+    return (
+        f"where the {name} is not too wide for the hand it is thinner than {1000 * NARROWEST_M:.0f} mm, "
+        "which its fingers do not feel"
+    )
+
+
+def _least_width_m(parts: ConvexParts, item: SceneObject) -> float:
+    """The least level width of a thing as it lies."""
+    level = parts.corners @ item.world_T_object[:2, :3].T
+    angles = np.radians(np.arange(0, 180, 5))
+    return float(np.ptp(level @ np.array([np.cos(angles), np.sin(angles)]), axis=0).min())

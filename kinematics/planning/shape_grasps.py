@@ -1,0 +1,270 @@
+"""Ways to take hold of a thing of any shape: where two sides of it face each other between the pads.
+
+Candidates come from points of its surface (antipodal grasps: Nguyen, 1988): two points whose normals are
+within the friction cone of the line between them, with a margin for errors of the pose. The hand is then
+turned about that line, and each pose is judged by all points: what is between the pads, whether the open
+fingers pass by the rest, and whether palm and thing keep apart. Frames are those of the thing; the planner
+judges room, reach and motion.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.arrays import Array, Indices, Sealed
+from kinematics.geometry.convex_parts import ConvexParts
+from kinematics.geometry.poses import Transform
+from kinematics.model.robot_description import GripperDescription
+
+Flags = NDArray[np.bool_]
+
+FIT_ERROR_M = 0.006
+"""A thing whose outline is nearer than this to it is grasped as if it were that."""
+CONE_RAD = math.radians(17.0)
+"""Between a normal and the line across: friction 0.6 holds to 31 degrees, the pose is wrong by 3, and where
+two pads press on a rim or an edge the rest is gone."""
+NARROWEST_M = 0.02
+"""What is thinner than this between the pads cannot be told from an empty hand."""
+RESERVE_M = 0.006
+PALM_GAP_M = 0.012
+_BETWEEN = 500
+"""Points from which a line across is looked for."""
+_LINES = 70
+_TURNS = 16
+_OVERLAP_M = (0.0, 0.013)
+"""How much farther than the middle of the pads the thing is towards their tips."""
+_ACROSS_M = 0.05
+"""Half of how wide the fingers of one side are together."""
+_FINGER_M = 0.035
+_FINGER_THICK_M, _FINGER_WIDE_M = 0.012, 0.02
+"""Of a finger's tip, at least: across the opening, and half of it across the approach."""
+_TOUCH_M = 0.003
+_FACING_M = 0.018
+"""So far apart along the pads may be what the two sides press on."""
+_LEAST_PATCH = 2
+_ALIKE_M, _ALIKE_COSINE = 0.012, math.cos(math.radians(20.0))
+_UP_COSINE = math.cos(math.radians(95.0))
+"""An approach may come from a little below the level, not from farther below."""
+_MOST = 400
+LEVER_COST_PER_M = 12.0
+BELOW_COST_PER_M = 4.0
+"""Held below its middle it leans in the hand, and the hand is nearer to what it stands on."""
+BELOW_COST_PER_M = 4.0
+"""Held below its middle a thing leans in the hand, and the hand is nearer to what it stands on."""
+SLANT_COST = 1.5
+DEEP_COST = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class ShapeGrasps(Sealed):
+    """Grasps of a thing by one hand, in the thing's frame, best first.
+
+    Attributes:
+        object_T_tcp: Where the TCP is, shape (n, 4, 4).
+        opening_m: Between the pads when they hold it, shape (n,).
+        off_centre_m: Of the middle of the thing from that between the pads, along the opening, shape (n,).
+        cost: Lever of the weight, slant of the surfaces, shape (n,).
+        narrowest_m: The least distance of two sides that face each other; infinite where none do.
+        fitting: How many lines across are within the hand's opening.
+    """
+
+    object_T_tcp: Array
+    opening_m: Array
+    off_centre_m: Array
+    cost: Array
+    narrowest_m: float
+    fitting: int
+
+
+def needs_shape_grasps(parts: ConvexParts | None) -> bool:
+    """Whether a thing is so unlike its outline that it is grasped by its surface."""
+    return parts is not None and parts.outline_error_m >= FIT_ERROR_M and len(parts.surface) > 0
+
+
+def shape_grasps(parts: ConvexParts, gripper: GripperDescription, pose: Transform) -> ShapeGrasps:
+    """Grasps of a thing as it lies; the same thing, lying the same way, is looked at once.
+
+    Args:
+        parts: What it is made of, with points of its surface.
+        gripper: The hand's.
+        pose: Of the thing in the world, shape (4, 4); only which way is up matters.
+    """
+    up = np.round(pose[2, :3], 1) + 0.0
+    return _found(parts, gripper, tuple((up / np.linalg.norm(up)).tolist()))
+
+
+@functools.lru_cache(maxsize=64)
+def _found(parts: ConvexParts, gripper: GripperDescription, up: tuple[float, float, float]) -> ShapeGrasps:
+    widest = gripper.max_opening_m - 2.0 * RESERVE_M
+    lines, narrowest = _lines_across(parts, widest)
+    middle = parts.surface.mean(axis=0)
+    poses, slants = _turned(lines, np.array(up))
+    off_support = _off_support(poses, gripper, np.array(up), float((parts.corners @ np.array(up)).min()))
+    poses, slants = poses[off_support], slants[off_support]
+    points = np.concatenate([parts.surface[:900], parts.corners])
+    normals = np.concatenate([parts.normals[:900], np.zeros_like(parts.corners)])
+    kept = _judged(poses, points, normals, gripper, widest)
+    lever = _lever(kept.poses, middle, np.array(up))
+    below = np.maximum(0.0, (middle - kept.poses[:, :3, 3]) @ np.array(up))
+    cost = (
+        LEVER_COST_PER_M * lever
+        + BELOW_COST_PER_M * below
+        + SLANT_COST * (slants[kept.row] + kept.slant)
+        + DEEP_COST * kept.shallow
+    )
+    best = np.argsort(cost, kind="stable")[:_MOST]
+    tcp_T_middle = np.einsum("nji,nj->ni", kept.poses[:, :3, :3], -kept.poses[:, :3, 3])
+    return ShapeGrasps(
+        object_T_tcp=kept.poses[best],
+        opening_m=kept.opening_m[best],
+        off_centre_m=tcp_T_middle[best, 1],
+        cost=cost[best],
+        narrowest_m=narrowest,
+        fitting=len(lines.middle),
+    )
+
+
+class _Lines(NamedTuple):
+    """Lines across a thing: the middle between the two sides, unit direction, and how aslant these are."""
+
+    middle: Array
+    across: Array
+    slant: Array
+
+
+def _lines_across(parts: ConvexParts, widest: float) -> tuple[_Lines, float]:
+    """Lines between two sides that face each other, no two alike, and the least distance of such sides."""
+    points, normals = parts.surface, parts.normals
+    start, inwards = points[:_BETWEEN], -normals[:_BETWEEN]
+    apart = points[None] - start[:, None]
+    length = np.sqrt(np.einsum("ijk,ijk->ij", apart, apart)) + 1e-12
+    leaving = np.einsum("ijk,ik->ij", apart, inwards) / length
+    arriving = np.einsum("ijk,jk->ij", apart, normals) / length
+    worst = np.minimum(leaving, arriving)
+    facing = (worst >= math.cos(CONE_RAD)) & (length > 0.002)
+    narrowest = float(length[facing].min()) if facing.any() else math.inf
+    worst = np.where(facing & (length >= NARROWEST_M) & (length <= widest), worst, -1.0)
+    best = worst.argmax(axis=1)
+    rows = np.flatnonzero(worst[np.arange(len(start)), best] > 0.0)
+    order = rows[np.argsort(-worst[rows, best[rows]], kind="stable")]
+    middle = start[order] + 0.5 * apart[order, best[order]]
+    across = apart[order, best[order]] / length[order, best[order]][:, None]
+    slant = np.arccos(np.clip(worst[order, best[order]], -1.0, 1.0))
+    chosen: list[int] = []
+    for k in range(len(order)):
+        near = np.linalg.norm(middle[chosen] - middle[k], axis=1) < _ALIKE_M
+        if not np.any(near & (np.abs(across[chosen] @ across[k]) > _ALIKE_COSINE)):
+            chosen.append(k)
+            if len(chosen) == _LINES:
+                break
+    return _Lines(middle[chosen], across[chosen], slant[chosen]), narrowest
+
+
+def _turned(lines: _Lines, up: Array) -> tuple[Array, Array]:
+    """The hand at each line, turned about it, and not from below; poses, and the slant of their line."""
+    y = lines.across
+    first = np.cross(y, np.where(np.abs(y @ up)[:, None] < 0.9, up, np.roll(np.eye(3)[0], 1)))
+    first /= np.linalg.norm(first, axis=1)[:, None] + 1e-12
+    second = np.cross(y, first)
+    angles = 2.0 * math.pi * np.arange(_TURNS) / _TURNS
+    x = np.cos(angles)[:, None, None] * first + np.sin(angles)[:, None, None] * second
+    x = x.transpose(1, 0, 2).reshape(-1, 3)
+    y = np.repeat(y, _TURNS, axis=0)
+    poses = np.zeros((len(x), 4, 4))
+    poses[:, :3, 0], poses[:, :3, 1], poses[:, :3, 2] = x, y, np.cross(x, y)
+    poses[:, :3, 3], poses[:, 3, 3] = np.repeat(lines.middle, _TURNS, axis=0), 1.0
+    downwards = x @ up <= -_UP_COSINE
+    return poses[downwards], np.repeat(lines.slant, _TURNS)[downwards]
+
+
+def _off_support(poses: Array, gripper: GripperDescription, up: Array, level: float) -> Flags:
+    """Whether the open fingers are above what the thing stands on; the planner judges all of the hand."""
+    tips = max(half[2] for half in gripper.pad_half_size_m) + gripper.closing_advance_m
+    out = 0.5 * gripper.max_opening_m + _FINGER_THICK_M
+    x, y, z = (np.abs(poses[:, :3, k] @ up) for k in range(3))
+    along = np.where(poses[:, :3, 0] @ up < 0.0, tips * x, 0.0)
+    lowest = poses[:, :3, 3] @ up - along - out * y - _FINGER_WIDE_M * z
+    return np.asarray(lowest > level, bool)
+
+
+class _Kept(NamedTuple):
+    """Poses that can hold: each with the row that it came from, opening, slant and how near to the tips."""
+
+    poses: Array
+    row: Indices
+    opening_m: Array
+    slant: Array
+    shallow: Array
+
+
+def _judged(poses: Array, points: Array, normals: Array, gripper: GripperDescription, widest: float) -> _Kept:
+    """Keep the poses at which the thing is between the pads, and nothing of it in the way of the hand."""
+    half_long = max(half[2] for half in gripper.pad_half_size_m)
+    tips = half_long + gripper.closing_advance_m
+    palm = -(gripper.palm_distance_m - PALM_GAP_M)
+    open_m, found = 0.5 * gripper.max_opening_m - RESERVE_M, []
+    for over_m in _OVERLAP_M:
+        for row, pose in enumerate(poses):
+            place = pose.copy()
+            place[:3, 3] -= over_m * pose[:3, 0]
+            x, y, z = ((points - place[:3, 3]) @ place[:3, :3]).T
+            pads = (np.abs(x) <= half_long) & (np.abs(z) <= _ACROSS_M)
+            if not pads.any():
+                continue
+            low, high = float(y[pads].min()), float(y[pads].max())
+            opening, shift = high - low, 0.5 * (low + high)
+            if not NARROWEST_M <= opening <= widest:
+                continue
+            y = y - shift
+            hand = (x <= tips) & (np.abs(z) <= _ACROSS_M)
+            if np.any(hand & (np.abs(y) > open_m) & (np.abs(y) < open_m + _FINGER_M)):
+                continue
+            if np.any((x < palm) & (np.abs(y) < open_m + _FINGER_M) & (np.abs(z) <= _ACROSS_M)):
+                continue
+            slant = _facing(x, y, z, normals @ place[:3, 1], pads, 0.5 * opening)
+            if slant is None:
+                continue
+            place[:3, 3] += shift * place[:3, 1]
+            found.append((place, row, opening, slant, float(over_m > 0.0)))
+    if not found:
+        nothing = np.zeros(0)
+        return _Kept(np.zeros((0, 4, 4)), np.zeros(0, np.int64), nothing, nothing, nothing)
+    each = list(zip(*found, strict=True))
+    return _Kept(np.array(each[0]), np.array(each[1], np.int64), *(np.array(one) for one in each[2:]))
+
+
+def _facing(x: Array, y: Array, z: Array, along: Array, pads: Flags, half: float) -> float | None:
+    """How aslant the two sides are that the pads press on; None where they do not face each other.
+
+    Args:
+        x, y, z: Of all points, in the frame of the TCP.
+        along: Component of their normals along the opening.
+        pads: Which are between the pads.
+        half: Of the opening.
+    """
+    low, high = pads & (y < -half + _TOUCH_M), pads & (y > half - _TOUCH_M)
+    flat_low, flat_high = low & (along < -math.cos(CONE_RAD)), high & (along > math.cos(CONE_RAD))
+    if flat_low.sum() < _LEAST_PATCH or flat_high.sum() < _LEAST_PATCH:
+        return None
+    for one in (x, z):
+        begin = max(one[flat_low].min(), one[flat_high].min())
+        end = min(one[flat_low].max(), one[flat_high].max())
+        if begin > end + _FACING_M:
+            return None
+    return float(np.arccos(min(1.0, np.mean(np.abs(along[flat_low | flat_high])))))
+
+
+def _lever(poses: Array, middle: Array, up: Array) -> Array:
+    """How far the weight pulls beside the line between the pads, about which it could turn, shape (n,)."""
+    if not len(poses):
+        return np.zeros(0)
+    off = middle - poses[:, :3, 3]
+    y = poses[:, :3, 1]
+    # the part of the moment that turns the thing about the opening
+    return np.asarray(np.abs(np.einsum("ni,ni->n", np.cross(off, up), y)))

@@ -1,0 +1,99 @@
+"""Reading a mesh file, whatever it is written in."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.arrays import Array, Sealed
+from robots.errors import CannotImportError
+from robots.scenes.importing.extra import library
+
+ENDINGS = (".obj", ".stl", ".glb", ".gltf", ".ply", ".msh")
+MOST_FACES = 2_000_000
+_MOST_PX = 1024
+_SHEET = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Mesh(Sealed):
+    """Triangles, in the units and axes of the file.
+
+    Attributes:
+        vertices: Shape (n, 3).
+        faces: Rows of them, shape (m, 3).
+        on_picture: Where each vertex is on the picture, shape (n, 2); None without one.
+        picture: PNG; empty without one.
+        color: Red, green, blue in [0, 1].
+        digest: Of the file.
+    """
+
+    vertices: Array
+    faces: NDArray[np.int32]
+    on_picture: Array | None
+    picture: bytes
+    color: tuple[float, float, float]
+    digest: str
+
+
+def read_mesh(file: Path) -> Mesh:
+    """Read a mesh with what is seen on it.
+
+    Raises:
+        CannotImportError: The extra is missing, the file is no mesh, or has no surface.
+    """
+    if file.suffix.lower() not in ENDINGS:
+        raise CannotImportError(f"{file}: is no mesh; known are {', '.join(ENDINGS)}")
+    try:
+        content = file.read_bytes()
+    except OSError as absent:
+        raise CannotImportError(f"{file}: cannot be read: {absent.strerror}") from absent
+    trimesh = library("trimesh")
+    try:
+        found = _triangles(trimesh, file)
+    except Exception as broken:
+        raise CannotImportError(f"{file}: cannot be read as a mesh: {broken}") from broken
+    faces = np.asarray(getattr(found, "faces", ()), np.int32)
+    if not len(faces):
+        raise CannotImportError(f"{file}: has no surface")
+    if len(faces) > MOST_FACES:
+        raise CannotImportError(f"{file}: has {len(faces)} triangles; at most {MOST_FACES} are read")
+    vertices = np.asarray(found.vertices, np.float64)
+    if not np.isfinite(vertices).all() or np.ptp(vertices, axis=0).max() <= _SHEET:
+        raise CannotImportError(f"{file}: its points are no numbers, or all at one place")
+    on_picture, picture, color = _looks(found.visual)
+    return Mesh(vertices, faces, on_picture, picture, color, hashlib.sha256(content).hexdigest())
+
+
+def _triangles(trimesh: Any, file: Path) -> Any:
+    """All of a file's geometry in one, placed as the file says."""
+    loaded = trimesh.load_scene(file, process=False, maintain_order=True)
+    if len(loaded.geometry) == 1 and len(loaded.graph.nodes_geometry) == 1:
+        node = loaded.graph.nodes_geometry[0]
+        transform, name = loaded.graph[node]
+        only = loaded.geometry[name].copy()
+        only.apply_transform(transform)
+        return only
+    return loaded.to_mesh()
+
+
+def _looks(visual: Any) -> tuple[Array | None, bytes, tuple[float, float, float]]:
+    """Where each vertex is on the picture, the picture, and the colour without one."""
+    color = np.array(visual.to_color().main_color if hasattr(visual, "to_color") else visual.main_color)
+    red, green, blue = (color[:3] / 255.0).tolist()
+    material = getattr(visual, "material", None)
+    uv = getattr(visual, "uv", None)
+    image = getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
+    if uv is None or image is None:
+        return None, b"", (red, green, blue)
+    small = image.convert("RGB")
+    small.thumbnail((_MOST_PX, _MOST_PX))
+    out = io.BytesIO()
+    small.save(out, "PNG")
+    return np.asarray(uv, np.float64), out.getvalue(), (red, green, blue)

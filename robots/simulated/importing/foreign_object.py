@@ -1,0 +1,129 @@
+"""An object of a foreign model, made of the solids that its maker gave it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.arrays import Array, Indices
+from kinematics.formats.solid_document import MAX_PARTS
+from kinematics.geometry import poses
+from kinematics.geometry.convex_parts import ConvexParts
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.importing.convex import of_few_corners, surface_of, volume
+from robots.scenes.importing.extra import library
+from robots.scenes.importing.outline import fitted, turn_of
+from robots.scenes.importing.resting import rests_of
+from robots.scenes.meshes.object_model import ObjectModel
+from robots.simulated.importing.bodies import Foreign
+
+_FLAT_M = 3e-4
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignObject:
+    """An object.
+
+    Attributes:
+        model: What is made of it.
+        world_T_object: Where it is, upright, shape (4, 4).
+        left_out: How many solids were too many or too flat.
+    """
+
+    model: ObjectModel
+    world_T_object: Transform
+    left_out: int
+
+
+def foreign_object(
+    foreign: Foreign, bodies: Sequence[int], upright: Array | None = None, key: str | None = None
+) -> ForeignObject:
+    """Make an object of some bodies as they are placed: what is up there is its top.
+
+    Args:
+        foreign: The model.
+        bodies: All bodies of the object.
+        upright: How it is turned first, shape (3, 3), where its top is elsewhere.
+        key: Of its parts; a digest of them when left out.
+    """
+    stands = np.eye(3) if upright is None else upright
+    clouds = [foreign.corners(geom) @ stands.T for geom in foreign.solid_geoms(bodies)]
+    solid = [of_few_corners(cloud) for cloud in clouds if _is_solid(cloud)]
+    if not solid:
+        every = np.concatenate(clouds)
+        solid = [_box_about(every)]
+    hulls = sorted(solid, key=lambda hull: -volume(hull))[:MAX_PARTS]
+    turn = turn_of(np.concatenate(hulls))
+    about = poses.rotation_z(turn)
+    to_own = about @ stands
+    hulls = [hull @ about.T for hull in hulls]
+    fit = fitted(np.concatenate(hulls))
+    hulls = [hull - fit.centre for hull in hulls]
+    vertices, faces, color = _seen(foreign, bodies, hulls, to_own, fit.centre)
+    corners = np.concatenate(hulls)
+    middle = np.average([hull.mean(axis=0) for hull in hulls], axis=0, weights=[volume(h) for h in hulls])
+    surface, normals = surface_of(hulls)
+    parts = ConvexParts(
+        key=key or hashlib.sha256(corners.tobytes() + vertices.tobytes()).hexdigest()[:24],
+        corners=corners,
+        ends=tuple(np.cumsum([len(hull) for hull in hulls]).tolist()),
+        surface=surface,
+        normals=normals,
+        rests=rests_of(corners, middle).up,
+        outline_error_m=fit.error_m,
+    )
+    model = ObjectModel(_with(fit.outline, parts), vertices, faces.astype(np.int32), color=color)
+    place = poses.transform(to_own.T, to_own.T @ fit.centre)
+    return ForeignObject(model, place, len(clouds) - len(hulls))
+
+
+def _box_about(corners: Array) -> Array:
+    """Corners of a thin box about what is flat."""
+    low, high = corners.min(axis=0) - _FLAT_M, corners.max(axis=0) + _FLAT_M
+    signs = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    return np.asarray(low + signs * (high - low))
+
+
+def _is_solid(cloud: Array) -> bool:
+    if len(cloud) < 4:
+        return False
+    off = cloud - cloud.mean(axis=0)
+    return bool(np.ptp(off @ np.linalg.svd(off, full_matrices=False)[2][2]) > _FLAT_M)
+
+
+def _seen(
+    foreign: Foreign, bodies: Sequence[int], hulls: Sequence[Array], to_own: Array, centre: Array
+) -> tuple[Array, Indices, tuple[float, float, float]]:
+    """What is seen of it, in its own frame; its parts, where nothing else is."""
+    vertices, faces, count = [], [], 0
+    color = (0.6, 0.6, 0.6)
+    for geom in foreign.geoms(bodies, colliding=False):
+        points, triangles = foreign.triangles(geom)
+        if len(triangles):
+            vertices.append(points @ to_own.T - centre)
+            faces.append(triangles + count)
+            count += len(points)
+            color = foreign.color(geom)
+    if not vertices:
+        for hull in hulls:
+            mesh = library("trimesh").convex.convex_hull(hull)
+            vertices.append(np.asarray(mesh.vertices))
+            faces.append(np.asarray(mesh.faces, np.int64) + count)
+            count += len(mesh.vertices)
+        solid = foreign.solid_geoms(bodies)
+        color = foreign.color(solid[0])
+    return np.concatenate(vertices), np.concatenate(faces), color
+
+
+def _with(outline: Shape, parts: ConvexParts) -> Shape:
+    match outline:
+        case Box(size_m=size):
+            return Box(size, parts)
+        case Cylinder(radius_m=radius, height_m=height):
+            return Cylinder(radius, height, parts)
+        case Ball(radius_m=radius):
+            return Ball(radius, parts)

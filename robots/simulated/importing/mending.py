@@ -1,0 +1,108 @@
+"""Compiling a foreign model in spite of what is wrong with it but does not matter here; each mend is told."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import Any
+
+import mujoco
+
+from robots.errors import CannotImportError
+
+_MOST_MENDS = 40
+_LEAST_MASS_KG, _LEAST_INERTIA = "1e-4", "1e-9"
+_ATTRIBUTE = re.compile(r"unrecognized attribute:\s+'(\w+)'")
+_ELEMENT = re.compile(r"unrecognized element\s+Element '(\w+)'")
+_PICTURES = re.compile(r"(?i)(texture|png|image|cube|file format)")
+
+
+def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
+    """A model of an MJCF or URDF file, and what had to be mended.
+
+    Zero masses and inertias are made small ones; of assets of one name the first is taken; attributes that
+    nobody knows are left out; pictures that cannot be read are left out.
+
+    Raises:
+        CannotImportError: There is no such file, or the simulator refuses it still; with its reason.
+    """
+    try:
+        tree = ElementTree.parse(file)
+    except OSError as absent:
+        raise CannotImportError(f"{file}: cannot be read: {absent.strerror}") from absent
+    except ElementTree.ParseError as broken:
+        raise CannotImportError(f"{file}: is no XML: {broken}") from broken
+    root = tree.getroot()
+    if root.tag not in ("mujoco", "robot"):
+        raise CannotImportError(f"{file}: is neither MJCF (<mujoco>) nor URDF (<robot>), but <{root.tag}>")
+    mends: list[str] = []
+    if root.tag == "mujoco":
+        for compiler in root.iter("compiler"):
+            compiler.attrib.pop("coordinate", None)
+        ElementTree.SubElement(
+            root,
+            "compiler",
+            balanceinertia="true",
+            boundmass=_LEAST_MASS_KG,
+            boundinertia=_LEAST_INERTIA,
+        )
+        mends += _without_twins(root)
+    for _ in range(_MOST_MENDS):
+        try:
+            spec = mujoco.MjSpec.from_string(ElementTree.tostring(root, "unicode"))
+            spec.modelfiledir = str(file.absolute().parent)
+            return spec.compile(), tuple(mends)
+        except ValueError as refused:
+            mend = _mended(root, str(refused))
+            if mend is None:
+                reason = " ".join(str(refused).split())
+                raise CannotImportError(f"{file}: the simulator refuses it: {reason}") from refused
+            mends.append(mend)
+    raise CannotImportError(f"{file}: more than {_MOST_MENDS} things of it had to be mended")
+
+
+def _without_twins(root: ElementTree.Element) -> list[str]:
+    """Leave out assets whose kind and name were there before."""
+    seen: set[tuple[str, str]] = set()
+    told = []
+    for assets in root.iter("asset"):
+        for item in list(assets):
+            name = item.get("name")
+            if name is None:
+                continue
+            if (item.tag, name) in seen:
+                assets.remove(item)
+                told.append(f"a second {item.tag} {name!r} was left out")
+            seen.add((item.tag, name))
+    return told
+
+
+def _mended(root: ElementTree.Element, refusal: str) -> str | None:
+    """Take out what a refusal is about; None where that cannot be told, or matters."""
+    found = _ATTRIBUTE.search(refusal)
+    if found is not None:
+        key = found.group(1)
+        for element in root.iter():
+            element.attrib.pop(key, None)
+        return f"the attribute {key!r}, which the simulator does not know, was left out"
+    found = _ELEMENT.search(refusal)
+    if found is not None:
+        tag = found.group(1)
+        for parent in list(root.iter()):
+            for child in [each for each in parent if each.tag == tag]:
+                parent.remove(child)
+        return f"<{tag}>, which the simulator does not know, was left out"
+    if _PICTURES.search(refusal):
+        textures = [(assets, item) for assets in root.iter("asset") for item in list(assets)
+                    if item.tag == "texture" and item.get("file")]  # fmt: skip
+        named = [each for each in textures if Path(each[1].get("file", "")).name in refusal
+                 or (each[1].get("name") or "\0") in refusal]  # fmt: skip
+        for assets, item in named[:1] or textures:
+            assets.remove(item)
+            for material in root.iter("material"):
+                if material.get("texture") == item.get("name"):
+                    del material.attrib["texture"]
+        if textures:
+            return "pictures that cannot be read were left out"
+    return None
