@@ -210,10 +210,8 @@ class _Rehearsal:
         self.notes.append(wording(command))
         camera = load_robot_for_tasks(self._place[0]).description.camera
         gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
-        for gaze in gazes:
-            result = self._look(
-                command, gaze, {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
-            )
+        for gaze in gazes[:1] if camera.fixed else gazes:
+            result = self._look(command, gaze, camera.aimed(gaze.pan_rad, gaze.tilt_rad))
             if result.outcome == "done" or chain(result.failure)[-1].kind is not FailureKind.POSTCONDITION:
                 break
         return result

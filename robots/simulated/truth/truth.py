@@ -229,8 +229,10 @@ class SimulatorTruth:
 
     def com_margin_m(self) -> float:
         """Distance of the CoM's projection to the edge of the true support polygon, positive inside;
-        ``-inf`` while no sole carries.
+        ``-inf`` while no sole carries, ``inf`` of a welded robot.
         """
+        if self._physics.description.welded:
+            return math.inf
         return self._support.margin_m(self.com()[:2], self._carrying_corners())
 
     def _carrying_corners(self) -> Array:

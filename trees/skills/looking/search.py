@@ -7,7 +7,6 @@ from dataclasses import replace
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from kinematics.model.robot_description import HANDS
 from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
@@ -75,7 +74,7 @@ def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
 def _arms_at_home(toolbox: Toolbox) -> bool:
     model = toolbox.model
     groups = model.description.groups
-    arms = {joint for hand in HANDS for joint in groups[f"{hand}_arm"]}
+    arms = {joint for hand in model.description.arms for joint in groups[f"{hand}_arm"]}
     off = toolbox.motion.reference()[7:] - model.q_home[7:]
     return all(abs(float(off[i])) <= _HOME_RAD for i, name in enumerate(model.joints) if name in arms)
 
