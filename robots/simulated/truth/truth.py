@@ -166,6 +166,11 @@ class SimulatorTruth:
         """Pose of a hand's TCP, shape (4, 4)."""
         return self._pose(self._tcp_body[hand])
 
+    @property
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that can hold something, left before right."""
+        return tuple(self._tcp_body)
+
     def world_T_link(self, link: str) -> Transform:
         """Pose of any link or frame of the robot, shape (4, 4)."""
         return self._pose(self._physics.body_id(link))

@@ -11,7 +11,7 @@ from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from kinematics.arrays import Array
 from kinematics.ik.arm_frames import beside_ray_m, link_moved_by
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from robots.scenes.scene_description import Person, SceneDescription
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
@@ -83,8 +83,8 @@ class WaveJudge:
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._see = AimedAt(assembly, trial)
         self._periods = 0
-        self._aside: dict[Hand, list[float]] = {hand: [] for hand in HANDS}
-        self._most: dict[Hand, int] = dict.fromkeys(HANDS, 0)
+        self._aside: dict[Hand, list[float]] = {hand: [] for hand in self._see.truth.hands}
+        self._most: dict[Hand, int] = dict.fromkeys(self._see.truth.hands, 0)
         self._facing_rad = math.inf
 
     def on_event(self, event: object) -> None:
@@ -97,7 +97,7 @@ class WaveJudge:
             return
         off = self._see.off_facing_rad()
         aim = self._see.aim()
-        for hand in HANDS:
+        for hand in self._see.truth.hands:
             place, shoulder = self._see.truth.world_T_tcp(hand)[:3, 3], self._see.joint_place(hand, 1)
             if place[2] <= shoulder[2] or off > FACING_RAD:
                 self._aside[hand].clear()
@@ -149,7 +149,7 @@ class PointJudge:
     def on_period(self) -> None:
         """Measure."""
         if self._holding:
-            for hand in HANDS:
+            for hand in self._see.truth.hands:
                 self._worst[hand] = max(self._worst.get(hand, 0.0), self._see.beside_m(hand))
 
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
