@@ -50,6 +50,7 @@ class Workspace:
         radius_m: Of round things.
         box_m: Of boxes, the smallest and the largest.
         container_ahead_m, container_aside_m: Of containers, from the edge, and from the middle.
+        most_people: Who stand about at once; none where the eyes look down at a bench.
     """
 
     table_height_m: Range
@@ -64,6 +65,7 @@ class Workspace:
     box_m: tuple[tuple[float, float, float], tuple[float, float, float]]
     container_ahead_m: Range
     container_aside_m: float
+    most_people: int
 
 
 STANDING = Workspace(
@@ -79,6 +81,7 @@ STANDING = Workspace(
     box_m=((0.04, 0.04, 0.07), (0.07, 0.09, 0.14)),
     container_ahead_m=(0.16, 0.26),
     container_aside_m=0.3,
+    most_people=2,
 )
 """Before a humanoid of a grown-up's size."""
 BENCH = Workspace(
@@ -94,6 +97,7 @@ BENCH = Workspace(
     box_m=((0.03, 0.03, 0.05), (0.06, 0.09, 0.13)),
     container_ahead_m=(0.16, 0.26),
     container_aside_m=0.3,
+    most_people=0,
 )
 """Before an arm that is bolted to a pedestal as high as a table (the scenes named bench)."""
 

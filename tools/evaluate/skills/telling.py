@@ -133,7 +133,7 @@ def _many(rng: np.random.Generator, where: rooms.Workspace) -> tuple[Furniture, 
         place = rooms.spot(rng, table, objects, 0.14, where)
         if place is not None:
             shape = rooms.shape_of(kind, rng, where)
-            objects.append(rooms.item(f"thing {number}", kind, color, shape, table, place, rng))
+            objects.append(rooms.item(f"{color} {kind} {number + 1}", kind, color, shape, table, place, rng))
     return table, objects
 
 
