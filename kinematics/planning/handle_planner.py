@@ -183,7 +183,8 @@ class _HandleTask(PlanningTask):
         return before
 
     def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, farthest_s: float) -> HandlePlan | str:
-        reach = self.path(x_pregrasp, ("left", "right"), np.random.default_rng(self.request.seed))
+        arms = self._model.description.arms
+        reach = self.path(x_pregrasp, arms, np.random.default_rng(self.request.seed))
         if reach is None:
             return "no path to the handle"
         links = self._model.description.grippers[grasp.hand].touch_links
