@@ -25,7 +25,7 @@ _DRAWS = 20
 
 @dataclass(frozen=True, slots=True)
 class OpeningOrder:
-    """Which episode to run, how the robot sees in it (None is what the scene says), and whether on a bench."""
+    """Which episode to run, how the robot sees in it (None: as the scene says), and whether on a bench."""
 
     suite: str
     seed: int

@@ -35,7 +35,7 @@ HINGE_AHEAD_M, HINGE_ASIDE_M, DOOR_TURNED_RAD = 0.80, 0.75, 0.15
 CHEST_AHEAD_M, CHEST_ASIDE_M = (0.70, 0.76), (0.30, 0.42)
 FRIDGE_DEPTH_M, CHEST_DEPTH_M = 0.64, 0.50
 BENCH_DRAWERS = "bench_drawers"
-"""The scene of an arm that is bolted down: drawers alone, and a camera behind the arm that sees their fronts."""
+"""The scene of an arm that is bolted down: drawers alone; a camera behind the arm sees their fronts."""
 BENCH_HEIGHT_M, BENCH_AHEAD_M, BENCH_ASIDE_M = (0.90, 1.15), (0.78, 0.84), (-0.20, 0.20)
 BENCH_STAND_M, BENCH_STAND_RAD = 0.03, math.radians(5.0)
 LOCKED_EVERY = 4

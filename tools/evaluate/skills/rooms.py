@@ -86,7 +86,7 @@ STANDING = Workspace(
 """Before a humanoid of a grown-up's size."""
 BENCH = Workspace(
     table_height_m=(0.70, 0.80),
-    edge_ahead_m=(0.26, 0.30),
+    edge_ahead_m=(0.29, 0.33),
     table_depth_m=(0.5, 0.7),
     table_width_m=(1.1, 1.4),
     room_at_edge_m=0.07,
