@@ -10,6 +10,8 @@ from robots.models.description import load_description
 from tools.evaluate.scenes import episode_scene, read_episode_scene
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.rooms import BENCH
+from tools.evaluate.stopping.courses import BENCH_CYCLE, COURSES
+from tools.evaluate.stopping.stop_episode import stop_orders
 
 SEEDS = range(30)
 
@@ -50,3 +52,10 @@ def test_the_rooms_of_a_humanoid_are_as_before():
     start = trial_of("place", 3124).scene.robot_start
 
     assert math.isclose(start.x_m, 0.025534452877446705)
+
+
+def test_stops_of_a_bench_come_to_every_phase_of_its_courses():
+    orders = stop_orders("stop", 18, 0, "panda", bench=True)
+
+    assert sum(len(order.wanted) for order in orders) == 18
+    assert {COURSES[order.course] for order in orders} == set(BENCH_CYCLE)
