@@ -68,6 +68,7 @@ class GripperDescription:
             pads; and how much more a hand needs that is not tilted at all.
         lowest_overlap_m: The TCP is at least so far below the top of something low; negative: above it.
         pad_overlap_m: The same of what is not low.
+        slides: Whether the driven joint slides.
         over_ball_m: No farther above a ball's middle than this: its sides would be at the edges of the pads.
     """
 
@@ -94,6 +95,7 @@ class GripperDescription:
     lowest_overlap_m: float = -0.014
     pad_overlap_m: float = 0.02
     over_ball_m: float = 0.032
+    slides: bool = False
 
     @property
     def max_opening_m(self) -> float:

@@ -101,7 +101,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
     source, body, gains = document.source, document.body, document.gains
     root = _model_root(source)
     urdf = read_urdf(root / source.urdf, root)
-    grippers = _grippers(document.gripper)
+    grippers = _grippers(document.gripper, urdf)
     tcp_frames = _add_tcps(urdf, document)
     for frame in document.frame:
         add_frame(urdf, frame.name, frame.link, frame.model_dump())
@@ -272,17 +272,19 @@ def _limits(
     return limits
 
 
-def _grippers(table: GripperTable | None) -> dict[Hand, GripperDescription]:
-    return {} if table is None else {hand: _gripper(hand, table) for hand in table.tcp.places()}
+def _grippers(table: GripperTable | None, urdf: ElementTree.Element) -> dict[Hand, GripperDescription]:
+    return {} if table is None else {hand: _gripper(hand, table, urdf) for hand in table.tcp.places()}
 
 
-def _gripper(hand: Hand, table: GripperTable) -> GripperDescription:
+def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> GripperDescription:
+    joint = table.joint.format(hand=hand)
+
     def named(names: Sequence[str]) -> tuple[str, ...]:
         return tuple(name.format(hand=hand) for name in names)
 
     return GripperDescription(
         hand=hand,
-        joint=table.joint.format(hand=hand),
+        joint=joint,
         tcp_frame=table.tcp.frame.format(hand=hand),
         base_link=table.base_link.format(hand=hand),
         links=named(table.links),
@@ -304,6 +306,7 @@ def _gripper(hand: Hand, table: GripperTable) -> GripperDescription:
         lowest_overlap_m=table.lowest_overlap_m,
         pad_overlap_m=table.pad_overlap_m,
         over_ball_m=table.over_ball_m,
+        slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )
 
 

@@ -54,6 +54,7 @@ class ReportLayout:
         n, feet = len(description.actuated), len(description.soles)
         self._soles = tuple(sole.frame for sole in description.soles)
         self._hands = tuple(description.grippers)
+        self._slide = {hand: gripper.slides for hand, gripper in description.grippers.items()}
         sizes = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq, 16 * feet, 4 * len(self._hands))
         self._ends = np.cumsum(sizes)[:-1]
         self.count = sum(sizes)
@@ -90,7 +91,7 @@ class ReportLayout:
         readings = RobotState(float(head[0]), q, v, effort, gyro, accelerometer, wrench.reshape(-1, 6))
         poses = soles.reshape(-1, 4, 4)
         grippers = {
-            hand: GripperReading(hand, float(p), float(opening), float(nm), bool(holding))
+            hand: GripperReading(hand, float(p), float(opening), float(nm), bool(holding), self._slide[hand])
             for hand, (p, opening, nm, holding) in zip(self._hands, felt.reshape(-1, 4), strict=True)
         }
         return RobotReport(

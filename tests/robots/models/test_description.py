@@ -14,6 +14,7 @@ from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
 from robots.models import description as reader
+from robots.interface.gripper_reading import read_gripper
 from robots.models.description import load_description, load_robot, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
 from robots.outside import known_robots
@@ -186,3 +187,12 @@ def test_a_description_that_cannot_be_read_is_refused_with_robot_file_key_and_re
     assert str(refused.value).startswith("robot 'mine': ")
     assert says in str(refused.value)
     assert "description.toml" in str(refused.value) or says.startswith("[")
+
+
+@pytest.mark.parametrize(("name", "told"), [("talos", "50 mm, 4.2 Nm"), ("panda", "50 mm, 4.2 N")])
+def test_what_a_gripper_feels_is_told_in_the_unit_of_its_joint(name, told):
+    robot = load_robot(name)
+    gripper, grip = robot.description.grippers["right"], robot.hardware.grips["right"]
+    at = {"talos": -0.30, "panda": 0.025}[name]
+
+    assert str(read_gripper(gripper, grip, at, -4.2)) == told
