@@ -13,8 +13,8 @@ from kinematics.geometry import poses
 from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
-from robots.models import description as reader
 from robots.interface.gripper_reading import read_gripper
+from robots.models import description as reader
 from robots.models.description import load_description, load_robot, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
 from robots.outside import known_robots
