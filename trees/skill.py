@@ -54,9 +54,10 @@ class After(Enum):
 class Need(Enum):
     """Something that a robot has to have; the value names it."""
 
-    HAND = "hand that grips"
-    ARM = "arm"
-    LEGS = "legs to walk with"
+    HAND = "a hand that grips"
+    ARM = "an arm"
+    LEGS = "feet"
+    EYES = "eyes that aim"
 
 
 def as_asked(text: str, _subject: str, _evidence: Evidence) -> str:

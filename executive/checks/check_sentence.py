@@ -10,6 +10,7 @@ from executive.checks.run_apart import carried_out_apart
 from executive.config import leave_opengl_to_the_renderer
 from executive.dialogue.attendant import Nobody
 from executive.dialogue.settle_words import settled, without_skill
+from executive.errands.impossible import no_such_hand
 from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand, wording
 from executive.references import references
@@ -29,7 +30,7 @@ from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.build import NoSkillError
-from trees.failures import FailureKind
+from trees.failures import Failure, FailureKind
 from trees.policy import Gaze, TreePolicy
 from trees.skills.pick.tree import build_dry_run
 from trees.tasks import GoHomeTask, PickTask, Task
@@ -94,6 +95,10 @@ def rehearse(
         ]
         return CheckReport(text, robot, scene, "safe", ExitCode.DONE, "safe: no motion is needed", still)
     if len(commands) == 1 and isinstance(commands[0], PickTask) and not references(commands[0]):
+        if (without := no_such_hand(commands[0], load_robot_for_tasks(robot).description)) is not None:
+            why = Failure.infeasible(without.message)
+            line = f"failed: {why.message} [{why.kind.value}]"
+            return CheckReport(text, robot, scene, "failed", ExitCode.FAILED, line, failure=why.to_json())
         return _looked_at(text, robot, scene, _Rehearsal(robot, world, seed), commands[0], statements)
     done = carried_out_apart(robot, world, seed, statements, on_question)
     notes = ["carried out in a simulated world of its own", *done.notes()]
@@ -210,10 +215,8 @@ class _Rehearsal:
         self.notes.append(wording(command))
         camera = load_robot_for_tasks(self._place[0]).description.camera
         gazes = [gaze for gaze in TreePolicy().search_gazes if gaze.lean_rad == 0.0]
-        for gaze in gazes:
-            result = self._look(
-                command, gaze, {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
-            )
+        for gaze in gazes[:1] if camera.fixed else gazes:
+            result = self._look(command, gaze, camera.aimed(gaze.pan_rad, gaze.tilt_rad))
             if result.outcome == "done" or chain(result.failure)[-1].kind is not FailureKind.POSTCONDITION:
                 break
         return result

@@ -9,11 +9,11 @@ from executive.errands.beyond_the_eyes import cannot_be_told, what_can_be_found
 from executive.errands.required import handles, puts_on
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
+from kinematics.model.robot_description import RobotDescription
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
 from trees.readiness import lacking
 from trees.registry import skill_of
-from trees.skill import Need
 from trees.tasks import Bringing, ObjectDescription
 from trees.toolbox import Toolbox
 
@@ -70,10 +70,25 @@ def _lacks_for(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | No
         skill = skill_of(command)
         lacks = None if skill is None else lacking(skill, toolbox)
         if lacks is not None:
-            name = toolbox.model.description.name
-            told = f"{name} cannot walk here" if lacks is Need.LEGS else f"{name} has no {lacks.value} here"
+            told = f"{command.action} needs {lacks.need.value}; {lacks.why}"
             return Impossible(command, told, command.action)
+        if (unknown := no_such_hand(command, toolbox.model.description)) is not None:
+            return unknown
     return None
+
+
+def no_such_hand(command: Command, robot: RobotDescription) -> Impossible | None:
+    """That a command names a hand which the robot does not have; None where it names none, or one it has.
+
+    Args:
+        command: What was said.
+        robot: Its data.
+    """
+    hand = getattr(command, "hand", None)
+    if hand is None or hand in robot.hands:
+        return None
+    others = f", but its {' and '.join(robot.hands)} hand" if robot.hands else ""
+    return Impossible(command, f"{robot.name} has no {hand} hand{others}", hand)
 
 
 def impossible(

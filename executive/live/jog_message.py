@@ -7,7 +7,7 @@ import numpy as np
 from executive.live.desk_messages import Jog
 from executive.manual.words import BaseJog, GripJog, JogWord
 from kinematics.following.jog_reference import FRAMES, HandJog, JointJog
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from robots.live.wire.errors import ProtocolError
 
@@ -64,7 +64,7 @@ def word_of(message: Jog, model: RobotModel) -> JogWord | None:
 
 
 def _hand(message: Jog, model: RobotModel) -> Hand:
-    known = tuple(hand for hand in HANDS if hand in model.description.tcp_frames)
+    known = model.description.hands
     found = next((hand for hand in known if hand == message.part), None)
     if found is None:
         raise ProtocolError(f"jog: no hand {message.part[:20]!r}; there are {', '.join(known)}")

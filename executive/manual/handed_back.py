@@ -63,15 +63,15 @@ class HoldCheck:
         elif self._felt_s is None or now_s - self._felt_s > toolbox.policy.lost_grip_s:
             return Failure.postcondition(
                 f"the person says that it is in the {hand} hand, but its fingers hold nothing",
-                opening_m=reading.opening_m,
-                effort_nm=reading.effort_nm,
+                cause=None,
+                **reading.felt,
             )
         if now_s - self._began_s < HELD_FOR_S or not reading.holding:
             return None
         return {
             "hand": hand,
             "gripper_opening_m": reading.opening_m,
-            "effort_nm": reading.effort_nm,
+            **reading.effort,
             "held_s": now_s - self._began_s,
             "by": PERSON,
         }

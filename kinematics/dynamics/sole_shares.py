@@ -26,7 +26,7 @@ class SoleShares:
         """Prepare.
 
         Args:
-            stance: One sole or two.
+            stance: One sole or two; none of a welded robot.
             soles: The robot's, with the sizes of those.
 
         Raises:
@@ -59,7 +59,7 @@ class SoleShares:
             net: The ground's, about that origin, N and Nm, shape (6,).
         """
         fx, fy, fz, mx, my, mz = net.tolist()
-        if len(self._at) == 1:
+        if len(self._at) != 2:  # one takes all of it, bolts without any the same
             return net
         lift = max(fz, 1e-6)
         x, y = self._height_m * fx - my, self._height_m * fy + mx

@@ -94,16 +94,17 @@ class HandTracker:
         """
         self._tick_s, model = tick_s, robot.model
         self._model, description = model, model.description
-        self._space, polygon = free_coordinates(robot), robot.polygon
-        self._middle = 0.5 * (polygon.vertices_m.max(axis=0) + polygon.vertices_m.min(axis=0))
+        self._space = free_coordinates(robot)
+        self._base = 3 if self._space.base_size else 0  # a welded one follows with its arm alone
+        self._middle = _middle_of(robot)
         self._data = model.pin.createData()
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
-        kinds = ["base"] * 3
+        kinds = ["base"] * self._base
         joints = []
         for kind, group in (("torso", "torso"), ("arm", f"{hand}_arm")):
             joints += list(description.groups[group])
             kinds += [kind] * len(description.groups[group])
-        self._columns = np.array([0, 1, 2, *(self._space.index(joint) for joint in joints)])
+        self._columns = np.array([*range(self._base), *(self._space.index(joint) for joint in joints)])
         self._v_columns = 6 + model.indices(joints)
         self._speed = np.array([_SPEED[kind] for kind in kinds])
         self._acceleration = np.array([_ACCELERATION[kind] for kind in kinds])
@@ -111,17 +112,19 @@ class HandTracker:
         self._posture = np.array([_POSTURE[kind] for kind in kinds]) ** 2
         self._x = self._space.from_q(q)
         at = model.indices(joints)
-        start = self._x[:3]
+        start = self._x[: self._base]
         room = description.planning_margin_rad + _LIMIT_ROOM_RAD
-        self._lower = np.concatenate([start - _BASE_ROOM, model.lower_rad[at] + room])
-        self._upper = np.concatenate([start + _BASE_ROOM, model.upper_rad[at] - room])
+        base_room = _BASE_ROOM[: self._base]
+        self._lower = np.concatenate([start - base_room, model.lower_rad[at] + room])
+        self._upper = np.concatenate([start + base_room, model.upper_rad[at] - room])
         self._preferred = self._x[self._columns].copy()
         self._rate = np.zeros(len(self._columns))
         self._recent = np.stack([self._preferred, self._rate, self._rate])[None]
-        home_m = float(self._space.from_q(robot.q_home)[2])
-        self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
-        highest = home_m + _ABOVE_HOME_M
-        self._upper[2] = max(start[2], min(self._upper[2], highest))
+        if self._base:
+            home_m = float(self._space.from_q(robot.q_home)[2])
+            self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
+            highest = home_m + _ABOVE_HOME_M
+            self._upper[2] = max(start[2], min(self._upper[2], highest))
         self.standing = True
         self._locate(q)
         self.followed_m, self._followed = self.tcp_m.copy(), self.tcp_rotation.copy()
@@ -181,24 +184,21 @@ class HandTracker:
 
     def _solve(self, goal: HandGoal, x: Array, most: Array) -> Array:
         """Rates for the next tick, shape (n,)."""
-        n, k = len(x), self._v_columns
+        n, k, base = len(x), self._v_columns, self._base
         jacobian = pin.getFrameJacobian(self._model.pin, self._data, self._tcp_id, pin.LOCAL_WORLD_ALIGNED)
-        rows = np.zeros((8, n))
-        rows[:3, :3], rows[:3, 3:] = np.eye(3), jacobian[:3, k]
+        rows = np.zeros((8 if base else 6, n))
+        rows[:3, :base], rows[:3, base:] = np.eye(3)[:, :base], jacobian[:3, k]
         error = self.tcp_rotation @ pin.log3(self.tcp_rotation.T @ self._followed)
         axis = goal.spin_axis
         weigh = _TILT_WEIGHT * (np.eye(3) - np.outer(axis, axis)) + goal.spin_weight * np.outer(axis, axis)
-        rows[3:6, 3:] = weigh @ jacobian[3:, k]
-        com = self._data.Jcom
-        rows[6:, :2] = _COM_WEIGHT * _COM_OF_BASE * np.eye(2)
-        rows[6:, 3:] = _COM_WEIGHT * com[:2, k]
-        wanted = np.concatenate(
-            [
-                (self.followed_m - self.tcp_m) / _PULL_S,
-                weigh @ error / _PULL_S,
-                _COM_WEIGHT * (self._com_wanted - self._com[:2]) / _COM_PULL_S,
-            ]
-        )
+        rows[3:6, base:] = weigh @ jacobian[3:, k]
+        wanted = np.concatenate([(self.followed_m - self.tcp_m) / _PULL_S, weigh @ error / _PULL_S])
+        if base:
+            com = self._data.Jcom
+            rows[6:, :2] = _COM_WEIGHT * _COM_OF_BASE * np.eye(2)
+            rows[6:, 3:] = _COM_WEIGHT * com[:2, k]
+            pull = _COM_WEIGHT * (self._com_wanted - self._com[:2]) / _COM_PULL_S
+            wanted = np.concatenate([wanted, pull])
         normal = rows.T @ rows
         normal[np.diag_indices(n)] += self._calm + self._posture
         right = rows.T @ wanted + self._posture * (self._preferred - x) / _POSTURE_PULL_S
@@ -233,8 +233,9 @@ class HandTracker:
         a = np.zeros_like(v)
         v[:, 6:] = (after[:, 7:] - before[:, 7:]) / (2.0 * _PROBE_S)
         a[:, 6:] = (after[:, 7:] - 2.0 * here[:, 7:] + before[:, 7:]) / _PROBE_S**2
-        base = pin.Quaternion(here[0, 3:7]).toRotationMatrix()
-        v[:, :3], a[:, :3] = rates[:, :3] @ base, bends[:, :3] @ base
+        if self._base:
+            base = pin.Quaternion(here[0, 3:7]).toRotationMatrix()
+            v[:, :3], a[:, :3] = rates[:, :3] @ base, bends[:, :3] @ base
         return [MotionSample(here[i], v[i], a[i]) for i in range(count)]
 
     def _locate(self, q: Array) -> None:
@@ -246,6 +247,14 @@ class HandTracker:
         self._com = data.com[0].copy()
         self.tcp_m = data.oMf[self._tcp_id].translation.copy()
         self.tcp_rotation = data.oMf[self._tcp_id].rotation.copy()
+
+
+def _middle_of(robot: StandingRobot) -> Array:
+    """Of the feet, over the floor, shape (2,); of a welded robot, which cannot tip, anywhere."""
+    corners_m = robot.polygon.vertices_m
+    if not len(corners_m):
+        return np.zeros(2)
+    return np.asarray(0.5 * (corners_m.max(axis=0) + corners_m.min(axis=0)))
 
 
 _COM_OF_BASE = 0.8

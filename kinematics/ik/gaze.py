@@ -30,10 +30,14 @@ ITERATIONS = 4
 def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
     """Pan and tilt that bring a world point, shape (3,), to the middle of the camera's picture.
 
-    Inside the joints' limits; a point out of reach of the gaze gets the nearest direction.
+    Inside the joints' limits; a point out of reach of the gaze gets the nearest direction. A camera that no
+    neck aims needs none.
     """
     camera = model.description.camera
-    pan, tilt = model.joint_index(camera.pan_joint), model.joint_index(camera.tilt_joint)
+    if camera.neck is None:
+        return {}
+    pan_joint, tilt_joint = camera.neck
+    pan, tilt = model.joint_index(pan_joint), model.joint_index(tilt_joint)
     margin = model.description.planning_margin_rad
     q = q.copy()
     place = point.tolist()
@@ -49,4 +53,4 @@ def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
         # the optical frame: x to the right, y down, z ahead; a positive pan turns left
         for (column, low, high), turn in zip(bounds, (-math.atan2(x, z), math.atan2(y, z)), strict=True):
             q[column] = min(max(float(q[column]) + turn, low), high)
-    return {camera.pan_joint: float(q[7 + pan]), camera.tilt_joint: float(q[7 + tilt])}
+    return {pan_joint: float(q[7 + pan]), tilt_joint: float(q[7 + tilt])}

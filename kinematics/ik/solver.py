@@ -62,7 +62,10 @@ class FollowingKinematics(Protocol):
 def _make_solver(robot: StandingRobot, hand: Hand) -> InverseKinematics:
     from kinematics.ik.placo_ik import PlacoIk
     from kinematics.ik.reach_ik import ReachIk
+    from kinematics.ik.restarted_ik import RestartedIk
 
+    if robot.model.description.welded:
+        return RestartedIk(robot, hand)
     try:
         return ReachIk(robot, hand)
     except ModelError:
@@ -76,7 +79,10 @@ def _follows(kind: type[InverseKinematics]) -> bool:
 
 
 def inverse_kinematics(robot: StandingRobot, hand: Hand) -> InverseKinematics:
-    """The solver of a hand: compiled where the legs have a closed form, else PlaCo's; made once."""
+    """The solver of a hand: compiled where the legs have a closed form, else PlaCo's; made once.
+
+    On a welded base PlaCo's begins from several postures.
+    """
     return robot.derived(_make_solver, hand)
 
 

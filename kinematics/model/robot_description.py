@@ -61,6 +61,15 @@ class GripperDescription:
             approach sinks in between them.
         palm_distance_m: From the TCP back to the palm, along the approach.
         closing_advance_m: How much farther the fingertips reach along the approach when they close.
+        palm_gap_m: What the palm keeps from what is grasped.
+        tip_gap_m: Pointing down, the TCP stays this far above the foot of what it grasps: fingertips reach
+            beyond it, and farther as they close.
+        low_tip_gap_m, low_tilt_gap_m: The same over what is low, or a ball, whose sides are to be between the
+            pads; and how much more a hand needs that is not tilted at all.
+        lowest_overlap_m: The TCP is at least so far below the top of something low; negative: above it.
+        pad_overlap_m: The same of what is not low.
+        slides: Whether the driven joint slides.
+        over_ball_m: No farther above a ball's middle than this: its sides would be at the edges of the pads.
     """
 
     hand: Hand
@@ -79,6 +88,14 @@ class GripperDescription:
     pad_gap_m: float
     palm_distance_m: float
     closing_advance_m: float
+    palm_gap_m: float = 0.012
+    tip_gap_m: float = 0.057
+    low_tip_gap_m: float = 0.053
+    low_tilt_gap_m: float = 0.045
+    lowest_overlap_m: float = -0.014
+    pad_overlap_m: float = 0.02
+    over_ball_m: float = 0.032
+    slides: bool = False
 
     @property
     def max_opening_m(self) -> float:
@@ -100,19 +117,49 @@ class SoleDescription:
 
 @dataclass(frozen=True, slots=True)
 class CameraDescription:
-    """The head camera: optical frame (z forward, x right, y down), view and the joints that aim it.
+    """The camera that the robot goes by: optical frame (z forward, x right, y down), view, what aims it.
 
-    ``lean_joint`` bends the trunk forward (positive), for looking at what is close to the body;
-    None when the robot has no such joint.
+    Attributes:
+        frame: Its optical frame, on any link: of a head, or of a stand that the base is bolted to.
+        horizontal_fov_rad, vertical_fov_rad: Angles of view.
+        range_m: Nearest and farthest that it sees.
+        pan_joint, tilt_joint: The joints of a neck that aim it; None of a camera that stays as it is.
+        lean_joint: Bends the trunk forward (positive), for looking at what is close to the body; None when
+            the robot has no such joint.
     """
 
     frame: str
     horizontal_fov_rad: float
     vertical_fov_rad: float
     range_m: tuple[float, float]
-    pan_joint: str
-    tilt_joint: str
+    pan_joint: str | None = None
+    tilt_joint: str | None = None
     lean_joint: str | None = None
+
+    @property
+    def neck(self) -> tuple[str, str] | None:
+        """The joints that pan and tilt it; None where none do."""
+        if self.pan_joint is None or self.tilt_joint is None:
+            return None
+        return self.pan_joint, self.tilt_joint
+
+    def aimed(self, pan_rad: float, tilt_rad: float, lean_rad: float | None = None) -> dict[str, float]:
+        """Positions of those joints that there are, by name, for a gaze.
+
+        Args:
+            pan_rad: To the left.
+            tilt_rad: Down.
+            lean_rad: Of the trunk, forward; None leaves the trunk out.
+        """
+        joints = {} if self.neck is None else {self.neck[1]: tilt_rad, self.neck[0]: pan_rad}
+        if self.lean_joint is not None and lean_rad is not None:
+            joints[self.lean_joint] = lean_rad
+        return joints
+
+    @property
+    def fixed(self) -> bool:
+        """Whether no joint aims it: one look shows all that there is to see."""
+        return self.neck is None and self.lean_joint is None
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +182,7 @@ class RobotDescription:
         grippers: Of the hands that can grasp.
         soles: What it stands on; empty when the base is welded.
         tcp_frames: TCP of each hand, grasping or not: x along the approach, y along the opening.
-        head_camera: The camera that joints aim, if there is one.
+        head_camera: The camera that the robot goes by, if there is one.
         imu: Link of the IMU, if there is one.
         base: What holds the robot up.
         mount_xyz_m, mount_rpy_rad: Pose of a welded base in the odometry frame, whose floor is z = 0;
@@ -146,6 +193,7 @@ class RobotDescription:
         reachability: How well the hands reach what is around; None where nobody has made the map.
         planning_margin_rad: Limits are shrunk by this for planning.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
+        reach_m: No hand gets farther than this from its shoulder, a trunk that leans included.
     """
 
     name: str
@@ -174,6 +222,7 @@ class RobotDescription:
     walking: WalkingSettings | None = None
     reachability: ReachabilityMap | None = None
     joint_viscosity_nms_rad: float = 0.0
+    reach_m: float = 1.15
 
     @property
     def actuated(self) -> tuple[str, ...]:
@@ -192,13 +241,13 @@ class RobotDescription:
 
     @property
     def camera(self) -> CameraDescription:
-        """The head camera.
+        """The camera that the robot goes by.
 
         Raises:
             MissingPartError: The robot has none.
         """
         if self.head_camera is None:
-            raise MissingPartError(self.name, "camera that its joints aim")
+            raise MissingPartError(self.name, "camera")
         return self.head_camera
 
     @property
@@ -214,8 +263,15 @@ class RobotDescription:
 
     @property
     def missing_for_tasks(self) -> tuple[str, ...]:
-        """What the skills need and this robot does not have; empty for one that can do tasks."""
-        missing = [] if self.soles else ["feet"]
-        if self.head_camera is None:
-            missing.append("camera that its joints aim")
-        return (*missing, *(f"{hand} gripper" for hand in HANDS if hand not in self.grippers))
+        """What every task needs and this robot does not have; what single skills need, their records say."""
+        return () if self.head_camera is not None else ("camera",)
+
+    @property
+    def gripping_hands(self) -> tuple[Hand, ...]:
+        """The hands that can grasp, left before right."""
+        return tuple(hand for hand in HANDS if hand in self.grippers)
+
+    @property
+    def arms(self) -> tuple[Hand, ...]:
+        """The sides that have an arm, left before right."""
+        return tuple(hand for hand in HANDS if self.groups[f"{hand}_arm"])

@@ -30,20 +30,8 @@ TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
 _STEEPEST_RAD = math.radians(70)
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
-# The pads reach at least this far over an object's edge, and a palm keeps this from its top.
-PAD_OVERLAP_M = 0.02
-PALM_GAP_M = 0.012
-# Pointing down, the TCP stays this far above the object's foot: the fingertips reach 2 to 3 cm beyond,
-# and farther as they close.
-TIP_GAP_M = 0.057
-# The same over what is low, or a ball, whose sides are to be between the pads; more where it is tilted.
-LOW_TIP_GAP_M = 0.053
-LOW_TILT_GAP_M = 0.045
-# The TCP may be this far above the top of something low: half of the pads' length is beyond it.
-LOWEST_OVERLAP_M = -0.014
+# One of the other grasps of something low reaches less deep by this.
 SHALLOWER_M = 0.006
-# No farther above a ball's middle: its sides would be at the edges of the pads, 29 mm from their middle.
-LEAST_OVER_BALL_M = 0.032
 # Grasped above the middle: keeps the hand off the support, and the object hangs stably.
 ABOVE_MIDDLE = 0.12
 # Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
@@ -227,13 +215,16 @@ def _round_spot(
     """Place of the TCP, opening and cost on something round, or None when it cannot be held so."""
     centre, shape = item.world_T_object[:3, 3], item.shape
     if isinstance(shape, Ball):
-        over_m = _over_ball(shape.radius_m, tilt, height)
+        over_m = _over_ball(shape.radius_m, tilt, height, gripper)
         if over_m is None or not gripper.pad_gap_m < 2.0 * shape.radius_m <= limit:
             return None
         return centre + np.array([0.0, 0.0, over_m]), _straddled_opening(shape.radius_m, gripper), 0.0
     if not isinstance(shape, Cylinder) or 2.0 * shape.radius_m > limit:
         return None
-    place = centre + np.array([0.0, 0.0, _reach_in(shape.height_m, height, shape.radius_m, tilt, gripper)])
+    over_m = _reach_in(shape.height_m, height, shape.radius_m, tilt, gripper)
+    if over_m is None:
+        return None
+    place = centre + np.array([0.0, 0.0, over_m])
     if not _straddled(tilt, gripper):
         return place, 2.0 * shape.radius_m, 0.0
     if shape.radius_m > 0.5 * gripper.pad_gap_m:
@@ -269,17 +260,19 @@ def _box_places(
     places = np.zeros((yaws, count, len(edges), 2, 4, 4))
     places[..., 3, 3] = 1.0
     cost = np.empty((yaws, count, len(edges), 2))
+    held = np.ones((count, len(edges)), dtype=np.bool_)
     for k, edge in enumerate(edges):
         turned, turn = _parallel_to(axes[:, edge], rotations)
         half_depth = 0.5 * size[3 - edge - upward]
         depths = [_reach_in(size[upward], at, half_depth, tilt, gripper) for tilt, at in kinds]
+        held[:, k] = [depth is not None for depth in depths]
         places[:, :, k, :, :3, 3] = item.world_T_object[:3, 3]
-        places[:, :, k, :, 2, 3] += np.array(depths)[:, None]
+        places[:, :, k, :, 2, 3] += np.array([depth or 0.0 for depth in depths])[:, None]
         places[:, :, k, 0, :3, :3], places[:, :, k, 1, :3, :3] = turned, turned * _HALF_TURN
         tight = TIGHT_COST_PER_M * max(0.0, size[edge] - ROOMY_M)
         cost[:, :, k] = np.abs(turn)[..., None] + np.array(_ROLLED_COST) + tight
     each = 2 * len(edges)
-    return _Places(
+    every = _Places(
         yaw=np.repeat(np.arange(yaws), count * each),
         kind=np.tile(np.repeat(np.arange(count), each), yaws),
         world_T_tcp=places.reshape(-1, 4, 4),
@@ -287,6 +280,12 @@ def _box_places(
         suffix=[f" edge {edge}{rolled}" for edge in edges for rolled in _ROLLED] * (yaws * count),
         cost=cost.ravel(),
     )
+    if held.all():
+        return every
+    rows = np.flatnonzero(np.tile(np.repeat(held.ravel(), 2), yaws))
+    yaw, kind, world_T_tcp, diameter_m, suffix, cost_of = every
+    names = [suffix[row] for row in rows]
+    return _Places(yaw[rows], kind[rows], world_T_tcp[rows], diameter_m[rows], names, cost_of[rows])
 
 
 def _parallel_to(edge: Array, rotations: Array) -> tuple[Array, Array]:
@@ -302,41 +301,46 @@ def _parallel_to(edge: Array, rotations: Array) -> tuple[Array, Array]:
     return poses.rotations_z(turn.ravel()).reshape(rotations.shape) @ rotations, turn
 
 
-def _reach_in(height: float, at: float, half_depth: float, tilt: float, gripper: GripperDescription) -> float:
-    """Height of the TCP above the object's middle.
+def _reach_in(
+    height: float, at: float, half_depth: float, tilt: float, gripper: GripperDescription
+) -> float | None:
+    """Height of the TCP above the object's middle; None where the palm keeps the pads off it.
 
     From the side at the wanted share ``at`` of the height; from above as deep as palm and overlap
     want, measured along the approach; in between the blend by the tilt's sine.
     """
     side = at * height
-    deepest = gripper.palm_distance_m - PALM_GAP_M
-    overlap = max(PAD_OVERLAP_M, min(0.45 * height, height - TIP_GAP_M))
-    if tilt > _STEEPEST_RAD and LOWEST_OVERLAP_M <= (low := height - _foot_gap(tilt, at)) < PAD_OVERLAP_M:
+    deepest = gripper.palm_distance_m - gripper.palm_gap_m
+    least = gripper.pad_overlap_m
+    overlap = max(least, min(0.45 * height, height - gripper.tip_gap_m))
+    low = height - _foot_gap(tilt, at, gripper)
+    if tilt > _STEEPEST_RAD and gripper.lowest_overlap_m <= low < least:
         overlap = low
     above = 0.5 * height - min(overlap, deepest)
     share = math.sin(tilt) ** 2
     blended = (1.0 - share) * side + share * above
     if tilt < math.radians(5):
-        return blended
+        return blended if half_depth <= deepest else None
     # the tilted palm stays clear of the near edge of the top
     lowest = 0.5 * height - (deepest - half_depth * math.cos(tilt)) / math.sin(tilt)
-    return max(blended, lowest)
+    return max(blended, lowest) if lowest <= 0.5 * height - gripper.lowest_overlap_m else None
 
 
-def _foot_gap(tilt: float, at: float) -> float:
+def _foot_gap(tilt: float, at: float, gripper: GripperDescription) -> float:
     """Least height of the TCP above the foot of something low that is grasped from above."""
-    return LOW_TIP_GAP_M + LOW_TILT_GAP_M * math.cos(tilt) + (SHALLOWER_M if at == NEAR_TOP else 0.0)
+    tilted = gripper.low_tilt_gap_m * math.cos(tilt)
+    return gripper.low_tip_gap_m + tilted + (SHALLOWER_M if at == NEAR_TOP else 0.0)
 
 
-def _over_ball(radius: float, tilt: float, height: float) -> float | None:
+def _over_ball(radius: float, tilt: float, height: float, gripper: GripperDescription) -> float | None:
     """Height of the TCP above a ball's middle, or None where its sides would be at the edge of the pads.
 
     From above the fingertips stay off what the ball lies on, and still reach below its middle.
     """
     if tilt <= _STEEPEST_RAD:
         return 0.0
-    over_m = max(0.0, _foot_gap(tilt, height) - radius)
-    return over_m if over_m <= LEAST_OVER_BALL_M else None
+    over_m = max(0.0, _foot_gap(tilt, height, gripper) - radius)
+    return over_m if over_m <= gripper.over_ball_m else None
 
 
 def _straddled(tilt: float, gripper: GripperDescription) -> bool:

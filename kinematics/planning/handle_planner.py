@@ -37,8 +37,12 @@ from kinematics.timing.curve_timing import Pace
 
 APPROACH_M = 0.10
 SHORT_M = 0.010
-"""The TCP stops so far before the bar's middle: fingers swing ahead as they close, and behind the bar there
+"""The TCP stops so far before the bar's middle, where fingers swing ahead as they close: behind the bar there
 is no more room than they need."""
+SEEN_WITHIN_M = 0.02
+"""A handle may be seen so far before or behind where it is."""
+_OVERLAP = 0.8
+"""Of the pads' length: so far apart are the depths at which short pads try, one attempt after the other."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
 _TURNS_RAD = tuple(math.radians(a) for a in (20, 0, 40, -20))
@@ -126,13 +130,28 @@ class _HandleTask(PlanningTask):
         else:
             yaw = heading + (turn if hand == "right" else -turn)
             rolls = [("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi)]
+        short_m = min(SHORT_M, self._model.description.grippers[hand].closing_advance_m)
+        deeper, deeper_m = self._depth(hand)
         for name, roll in rolls:
             rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll)
-            label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}"
+            label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}{deeper}"
             if key_of(hand, label) in self.request.excluded:
                 continue
-            pose = poses.transform(rotation, place - SHORT_M * rotation[:, 0])
+            pose = poses.transform(rotation, place + (deeper_m - short_m) * rotation[:, 0])
             yield Grasp(hand, label, pose, APPROACH_M, diameter)
+
+    def _depth(self, hand: Hand) -> tuple[str, float]:
+        """How much deeper than it is seen the bar is looked for, in words and m: another way after each miss.
+
+        Pads that are shorter than what a handle is misjudged by close beside it where they meet it once.
+        """
+        pad_m = self._model.description.grippers[hand].pad_half_size_m[0][2]
+        if pad_m >= SEEN_WITHIN_M:
+            return "", 0.0
+        step_m = 2.0 * _OVERLAP * pad_m
+        ways = (("", 0.0), (" deeper", step_m), (" less deep", -step_m))
+        missed = sum(key.startswith(f"{hand} ") for key in self.request.excluded)
+        return ways[missed % len(ways)]
 
     def planned(self, grasp: Grasp) -> HandlePlan | None:
         """The whole plan for one grasp, or None with the reason counted."""
@@ -183,7 +202,8 @@ class _HandleTask(PlanningTask):
         return before
 
     def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, farthest_s: float) -> HandlePlan | str:
-        reach = self.path(x_pregrasp, ("left", "right"), np.random.default_rng(self.request.seed))
+        arms = self._model.description.arms
+        reach = self.path(x_pregrasp, arms, np.random.default_rng(self.request.seed))
         if reach is None:
             return "no path to the handle"
         links = self._model.description.grippers[grasp.hand].touch_links

@@ -37,8 +37,6 @@ from kinematics.scene.support_of import under_foot_of
 APPROACH_M = 0.10
 # Grasps whose room is judged in one call.
 AT_A_TIME = 40
-# An arm reaches no farther than this from its shoulder to the TCP, trunk leaning included.
-FARTHEST_M = 1.15
 # What a hand without room, or a CoM at its limit, costs against 1 rad of an unnatural approach.
 CLEARANCE_COST = 0.5
 ENOUGH_CLEARANCE_M = 0.03
@@ -97,7 +95,7 @@ class PickTask(PlanningTask):
         self._in_reach: dict[Hand, Array] = {}
         for hand in request.hands:
             offset = self._target.world_T_object[:3, 3] - self._shoulder(hand)
-            if np.linalg.norm(offset[:2]) <= FARTHEST_M:
+            if np.linalg.norm(offset[:2]) <= model.description.reach_m:
                 self._in_reach[hand] = offset
             else:
                 self.reasons["out of reach"] += 1

@@ -15,7 +15,6 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import elbow_frame
 from kinematics.ik.gaze import gaze_joints, in_picture
-from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.planning_task import REACH_PACE, PlanningTask
@@ -68,7 +67,7 @@ class ViewPlanner:
         rng = np.random.default_rng(request.seed)
         free = (view for view in views[:MOST_JUDGED] if task.planner.is_free(view.x))
         for view in itertools.islice(free, MOST_PLANNED):
-            curve = task.path(view.x, HANDS, rng)
+            curve = task.path(view.x, self._model.description.arms, rng)
             if curve is None:
                 task.reasons["no path"] += 1
                 continue
@@ -90,7 +89,7 @@ class ViewPlanner:
         torso = model.description.groups["torso"]
         turning = next((joint for joint in torso if joint != camera.lean_joint), None)
         home = robot.q_home
-        arms = 7 + np.concatenate([model.group(f"{hand}_arm") for hand in HANDS])
+        arms = 7 + np.concatenate([model.group(f"{hand}_arm") for hand in model.description.arms])
         home[arms] = request.q_start[arms]
         x_home = space.from_q(home)
         yaw = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
@@ -137,7 +136,7 @@ class ViewPlanner:
         model, points = self._model, request.points_m
         camera = model.description.camera
         names = [camera.frame]
-        for hand in HANDS:
+        for hand in model.description.hands:
             names += [elbow_frame(model, hand), model.description.tcp_frames[hand]]
         world_T_camera, *parts = model.frame_poses(q, names)
         eye = world_T_camera[:3, 3]

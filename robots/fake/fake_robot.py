@@ -36,7 +36,7 @@ class FakeRobot:
         self._v = np.zeros_like(self._q)
         feet = len(description.soles)
         self._accelerometer = np.array([0.0, 0.0, _GRAVITY_M_S2])
-        self._wrench = np.tile([0.0, 0.0, _WEIGHT_N / feet, 0.0, 0.0, 0.0], (feet, 1))
+        self._wrench = np.tile([0.0, 0.0, _WEIGHT_N / max(feet, 1), 0.0, 0.0, 0.0], (feet, 1))
 
     @property
     def description(self) -> RobotDescription:

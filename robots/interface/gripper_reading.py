@@ -20,6 +20,7 @@ class GripperReading:
         opening_m: Distance between the pads.
         effort_nm: Measured effort, positive when it presses inwards.
         holding: Whether opening and effort both say that something is between the pads.
+        slides: Whether the joint slides, and efforts are newtons.
     """
 
     hand: Hand
@@ -27,6 +28,21 @@ class GripperReading:
     opening_m: float
     effort_nm: float
     holding: bool
+    slides: bool = False
+
+    @property
+    def felt(self) -> dict[str, float]:
+        """Opening and effort, by names that tell their units."""
+        return {"opening_m": self.opening_m, **self.effort}
+
+    @property
+    def effort(self) -> dict[str, float]:
+        """The effort, by a name that tells its unit."""
+        return {"effort_n" if self.slides else "effort_nm": self.effort_nm}
+
+    def __str__(self) -> str:
+        unit = "N" if self.slides else "Nm"
+        return f"{self.opening_m * 1000:.0f} mm, {self.effort_nm:.1f} {unit}"
 
 
 def read_gripper(
@@ -46,4 +62,5 @@ def read_gripper(
         opening_m=float(np.interp(position_rad, angles, openings)),
         effort_nm=pressing,
         holding=not closed_beyond and pressing >= grip.held_effort_nm,
+        slides=gripper.slides,
     )

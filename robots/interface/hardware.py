@@ -33,12 +33,20 @@ class GripSettings:
         closing_speed_rad_s: Speed of a guarded closing.
         empty_below_rad: A joint that closed further than this holds nothing.
         held_effort_nm: At least this effort is felt when something is held.
+        deadband_rad: A grip follows its fingers only beyond this: far above what encoder noise would stir,
+            and, times the servo's stiffness, far below what a grasp feels.
+        met_rad: On its way it brakes once it will rest this near: ten times what noise stirs.
+        arrived_rad: Fingers this near to where they were sent have arrived; friction and the pads' give leave
+            less.
     """
 
     effort_nm: float
     closing_speed_rad_s: float
     empty_below_rad: float
     held_effort_nm: float
+    deadband_rad: float = 0.004
+    met_rad: float = 2e-4
+    arrived_rad: float = 0.03
 
 
 @dataclass(frozen=True, slots=True)

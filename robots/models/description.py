@@ -91,9 +91,8 @@ def load_robot_for_tasks(name: str) -> RobotData:
     robot = load_robot(name)
     description = robot.description
     if missing := description.missing_for_tasks:
-        reason = f" ({description.cannot_grasp})" if description.cannot_grasp else ""
         raise DescriptionError(
-            f"robot {name!r} can plan but not carry out tasks yet: it has no {', no '.join(missing)}{reason}"
+            f"robot {name!r} can plan but not carry out tasks yet: it has no {', no '.join(missing)}"
         )
     return robot
 
@@ -102,7 +101,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
     source, body, gains = document.source, document.body, document.gains
     root = _model_root(source)
     urdf = read_urdf(root / source.urdf, root)
-    grippers = _grippers(document.gripper)
+    grippers = _grippers(document.gripper, urdf)
     tcp_frames = _add_tcps(urdf, document)
     for frame in document.frame:
         add_frame(urdf, frame.name, frame.link, frame.model_dump())
@@ -139,6 +138,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         base=body.base,
         mount_xyz_m=body.mount_xyz_m,
         mount_rpy_rad=body.mount_rpy_rad,
+        reach_m=body.reach_m,
         cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
         walking=None if document.walking is None else document.walking[0],
         reachability=_reachability(folder),
@@ -272,17 +272,19 @@ def _limits(
     return limits
 
 
-def _grippers(table: GripperTable | None) -> dict[Hand, GripperDescription]:
-    return {} if table is None else {hand: _gripper(hand, table) for hand in table.tcp.places()}
+def _grippers(table: GripperTable | None, urdf: ElementTree.Element) -> dict[Hand, GripperDescription]:
+    return {} if table is None else {hand: _gripper(hand, table, urdf) for hand in table.tcp.places()}
 
 
-def _gripper(hand: Hand, table: GripperTable) -> GripperDescription:
+def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> GripperDescription:
+    joint = table.joint.format(hand=hand)
+
     def named(names: Sequence[str]) -> tuple[str, ...]:
         return tuple(name.format(hand=hand) for name in names)
 
     return GripperDescription(
         hand=hand,
-        joint=table.joint.format(hand=hand),
+        joint=joint,
         tcp_frame=table.tcp.frame.format(hand=hand),
         base_link=table.base_link.format(hand=hand),
         links=named(table.links),
@@ -297,6 +299,14 @@ def _gripper(hand: Hand, table: GripperTable) -> GripperDescription:
         pad_gap_m=table.pad_gap_m,
         palm_distance_m=table.palm_distance_m,
         closing_advance_m=table.closing_advance_m,
+        palm_gap_m=table.palm_gap_m,
+        tip_gap_m=table.tip_gap_m,
+        low_tip_gap_m=table.low_tip_gap_m,
+        low_tilt_gap_m=table.low_tilt_gap_m,
+        lowest_overlap_m=table.lowest_overlap_m,
+        pad_overlap_m=table.pad_overlap_m,
+        over_ball_m=table.over_ball_m,
+        slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )
 
 

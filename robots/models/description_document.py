@@ -46,6 +46,7 @@ class BodyTable(StrictTable):
     base: Literal["floating", "welded"] = "floating"
     mount_xyz_m: Triple = (0.0, 0.0, 0.0)
     mount_rpy_rad: Triple = (0.0, 0.0, 0.0)
+    reach_m: FiniteFloat = 1.15
 
 
 class LimitsTable(StrictTable):
@@ -158,6 +159,16 @@ class GripperTable(StrictTable):
     pad_gap_m: FiniteFloat
     palm_distance_m: FiniteFloat
     closing_advance_m: FiniteFloat
+    palm_gap_m: FiniteFloat = 0.012
+    tip_gap_m: FiniteFloat = 0.057
+    low_tip_gap_m: FiniteFloat = 0.053
+    low_tilt_gap_m: FiniteFloat = 0.045
+    lowest_overlap_m: FiniteFloat = -0.014
+    pad_overlap_m: FiniteFloat = 0.02
+    over_ball_m: FiniteFloat = 0.032
+    deadband_rad: FiniteFloat = 0.004
+    met_rad: FiniteFloat = 2e-4
+    arrived_rad: FiniteFloat = 0.03
 
 
 class FrameTable(PlaceTable):
@@ -172,6 +183,7 @@ class CollisionTable(PlaceTable):
 
     link: Text
     size_m: Triple
+    drawn: bool = False
 
 
 class FrictionTable(StrictTable):

@@ -38,6 +38,9 @@ def hardware_of(document: DescriptionDocument, description: RobotDescription) ->
                 gripper.closing_speed_rad_s,
                 gripper.empty_below_rad,
                 gripper.held_effort_nm,
+                gripper.deadband_rad,
+                gripper.met_rad,
+                gripper.arrived_rad,
             )
             for hand in description.grippers
         },

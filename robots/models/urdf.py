@@ -46,16 +46,19 @@ def add_frame(urdf: ElementTree.Element, name: str, link: str, place: Table) -> 
 def add_collision_box(urdf: ElementTree.Element, link: str, place: Table) -> None:
     """Give a link one more collision shape: a box of ``size_m`` at ``xyz`` and ``rpy``.
 
+    With ``drawn`` it is to be seen as well.
+
     Raises:
         DescriptionError: There is no such link.
     """
     element = next((item for item in urdf.findall("link") if item.get("name") == link), None)
     if element is None:
         raise DescriptionError(f"the URDF has no link {link!r} for a collision box")
-    collision = ElementTree.SubElement(element, "collision")
-    _add_origin(collision, place)
-    geometry = ElementTree.SubElement(collision, "geometry")
-    ElementTree.SubElement(geometry, "box", size=" ".join(map(str, place["size_m"])))
+    for part in ("collision", "visual") if place.get("drawn") else ("collision",):
+        shape = ElementTree.SubElement(element, part)
+        _add_origin(shape, place)
+        geometry = ElementTree.SubElement(shape, "geometry")
+        ElementTree.SubElement(geometry, "box", size=" ".join(map(str, place["size_m"])))
 
 
 def _add_origin(element: ElementTree.Element, place: Table) -> None:

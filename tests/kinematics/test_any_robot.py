@@ -40,7 +40,8 @@ def box(name, size_m, x, y, z):
 
 @pytest.fixture(scope="module")
 def panda():
-    return RobotModel(load_description("panda"))
+    """Panda, bolted to the floor."""
+    return RobotModel(dataclasses.replace(load_description("panda"), mount_xyz_m=(0.0, 0.0, 0.0)))
 
 
 @pytest.fixture(scope="module")

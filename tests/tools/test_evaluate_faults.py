@@ -21,6 +21,8 @@ SKILLS = Path(__file__).parents[2] / "trees" / "skills"
 class ScriptedWorld:
     """Truth and fault injector in one: time, places, and a list of what was done."""
 
+    hands = ("left", "right")
+
     def __init__(self, scene):
         self.scene, self.time_s, self.done, self.waiting = scene, 0.0, [], []
         self.tilt, self.contacts = 0.0, self

@@ -14,6 +14,8 @@ CUP = "red cup"
 class ScriptedTruth:
     """A truth whose every answer is a field."""
 
+    hands = ("left", "right")
+
     def __init__(self):
         self.present, self.height, self.in_hand = True, 0.0, (0.02, 0.0, 0.0)
         self.touching, self.margin, self.down, self.friction = (), 0.05, False, 0.6

@@ -4,24 +4,45 @@ from dataclasses import replace
 
 import pytest
 
+from robots.models.description import load_description
+from trees.needs import lacks
 from trees.readiness import lacking
 from trees.registry import skill_called
 from trees.skill import Need
+
+RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
 def test_a_robot_without_grippers_lacks_a_hand(stage):
     toolbox = replace(stage.toolbox, grippers={})
 
-    assert lacking(skill_called("pick"), toolbox) is Need.HAND
+    assert lacking(skill_called("pick"), toolbox).need is Need.HAND
 
 
 def test_a_robot_that_does_not_walk_here_lacks_legs(stage):
-    assert lacking(skill_called("walk_to"), replace(stage.toolbox, walking=None)) is Need.LEGS
+    assert lacking(skill_called("walk_to"), replace(stage.toolbox, walking=None)).need is Need.LEGS
 
 
 @pytest.mark.parametrize("action", ["pick", "wave", "say"])
 def test_a_robot_that_has_everything_lacks_nothing(stage, action):
     assert lacking(skill_called(action), stage.toolbox) is None
+
+
+@pytest.mark.parametrize(
+    ("robot", "action", "lacking_parts"),
+    [
+        ("panda", "walk_to", ["feet; panda stands on a welded base"]),
+        ("panda", "look_at", ["eyes that aim; the camera of panda stays as it is"]),
+        ("panda", "pick", []),
+        ("panda", "say", []),
+        ("talos", "walk_to", []),
+        ("talos", "look_at", []),
+        ("g1", "walk_to", ["feet; g1 is not known to walk"]),
+        ("g1", "pick", [f"a hand that grips; {RUBBER}"]),
+    ],
+)
+def test_what_a_robot_lacks_is_told_from_its_data_with_the_reason(robot, action, lacking_parts):
+    assert list(lacks(skill_called(action), load_description(robot))) == lacking_parts
 
 
 def test_who_only_speaks_needs_nothing(stage):

@@ -28,7 +28,7 @@ from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, GraspCandidate, grasp_table
 from kinematics.planning.pick_planner import MOST_BLOCKED
-from kinematics.planning.pick_task import APPROACH_M, FARTHEST_M
+from kinematics.planning.pick_task import APPROACH_M
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE
 from kinematics.requests.pick import PickRequest
 from kinematics.scene.support_of import under_foot_of
@@ -301,7 +301,7 @@ def natural_grasps(model: RobotModel, request: PickRequest, heights: Sequence[fl
         joint = model.pin.getJointId(model.description.groups[f"{hand}_arm"][1])
         shoulder = next(frame.name for frame in model.pin.frames if frame.parentJoint == joint)
         offset = (target.world_T_object - model.frame_pose(request.q_start, shoulder))[:3, 3]
-        if np.linalg.norm(offset[:2]) > FARTHEST_M:
+        if np.linalg.norm(offset[:2]) > model.description.reach_m:
             continue
         heading = float(np.arctan2(offset[1], offset[0]))
         cost = 2.0 * math.hypot(offset[0], offset[1])

@@ -20,6 +20,8 @@ from types import MappingProxyType
 
 from rich.console import Console
 
+from executive.runs.run_request import DEFAULT_ROBOT
+
 _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
     {
         "tabletop": (
@@ -101,6 +103,13 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
             "find the red cup",
         ),
         "watched": ("pick up the red cup", "how many things are on the table?"),
+        "bench": (
+            "pick up the red box on the table",
+            "put the blue cup next to the red box",
+            "walk to the table",
+        ),
+        "bench_clutter": ("put the red cup into the bowl", "what is on the table?"),
+        "bench_drawers": ("open the drawer and close it",),
     }
 )
 
@@ -118,6 +127,7 @@ class RecordedRun:
         simulated_s: Simulated time of all tasks together, s.
         evidence: What was measured at the end of each task, as canonical JSON.
         events_sha256: Digest of the events.
+        robot: Whose run it is.
     """
 
     said: str
@@ -128,12 +138,16 @@ class RecordedRun:
     simulated_s: float = 0.0
     evidence: str = ""
     events_sha256: str = ""
+    robot: str = DEFAULT_ROBOT
 
 
 def planned_runs() -> tuple[RecordedRun, ...]:
     """The sixty runs, each with a seed of its own."""
     pairs = [(scene, text) for scene, texts in _SAID.items() for text in texts]
-    return tuple(RecordedRun(text, scene, 100 + number) for number, (scene, text) in enumerate(pairs))
+    return tuple(
+        RecordedRun(text, scene, 100 + number, robot="panda" if scene.startswith("bench") else DEFAULT_ROBOT)
+        for number, (scene, text) in enumerate(pairs)
+    )
 
 
 def carried_out(run: RecordedRun) -> RecordedRun:
@@ -145,6 +159,7 @@ def carried_out(run: RecordedRun) -> RecordedRun:
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         command = [sys.executable, "-m", "executive", "run", run.said, "--scene", run.scene]
+        command += ["--robot", run.robot]
         command += ["--seed", str(run.seed), "--on-question", "first", "--quiet", "--plain"]
         command += ["--record", folder, "--report", os.fspath(report)]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -161,6 +176,7 @@ def carried_out(run: RecordedRun) -> RecordedRun:
         round(sum(task["time_s"]["simulated"] for task in tasks), 6),
         json.dumps([task["evidence"] for task in tasks], sort_keys=True),
         str(told.get("events_sha256", "")),
+        run.robot,
     )
 
 

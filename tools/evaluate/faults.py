@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.model.robot_description import HANDS
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.eyes import SimulatedPerception
 from robots.simulated.faults.world_faults import FaultInjector
@@ -206,7 +205,7 @@ def _free(bench: FaultBench, place: NDArray[np.float64], height_m: float) -> boo
         np.all(np.abs(place - table.position_m) <= 0.5 * np.array(table.size_m[:2]) - _EDGE_ROOM_M)
         for table in bench.scene.furniture
     )
-    hands = [bench.truth.world_T_tcp(hand)[:3, 3] for hand in HANDS]
+    hands = [bench.truth.world_T_tcp(hand)[:3, 3] for hand in bench.truth.hands]
     others = [
         bench.truth.world_T_object(name)[:2, 3] for name in bench.truth.objects() if name != bench.target
     ]

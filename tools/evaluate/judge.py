@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from robots.simulated.truth.true_contacts import PadContact, TrueContact
 
 LIFTED_M = 0.10
@@ -64,6 +64,11 @@ class Truth(Protocol):
 
     def com_margin_m(self) -> float:
         """Distance of the CoM's projection to the edge of the support polygon."""
+        ...
+
+    @property
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that can hold something."""
         ...
 
     def fallen(self) -> bool:
@@ -144,6 +149,6 @@ class Judge:
                 self.friction = min(frictions) if self.friction is None else min(self.friction, *frictions)
 
     def _nearest_hand(self) -> tuple[Hand, NDArray[np.float64]] | None:
-        places = [(hand, self._truth.tcp_T_object(hand, self._target)[:3, 3]) for hand in HANDS]
+        places = [(hand, self._truth.tcp_T_object(hand, self._target)[:3, 3]) for hand in self._truth.hands]
         hand, place = min(places, key=lambda item: float(np.linalg.norm(item[1])))
         return (hand, place) if float(np.linalg.norm(place)) <= _NEAR_HAND_M else None

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tools.evaluate.orders import EpisodeOrder
-from tools.evaluate.scenes import CLUTTER
+from tools.evaluate.scenes import BENCH_CLUTTER, CLUTTER
 
 # A lifted object that moved less than this in the hand is held fast.
 SLIP_BAR_M = 0.002
@@ -214,7 +214,7 @@ class Summary:
             ),
             Bar("broken episodes", str(self._errors()), "0", self._errors() == 0),
         ]
-        if self.scene == CLUTTER:
+        if self.scene in (CLUTTER, BENCH_CLUTTER):
             touched = self.others_touched
             bars.append(Bar("episodes with another object touched", str(touched), "0", touched == 0))
         if self.fault is None:

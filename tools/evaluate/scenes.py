@@ -7,7 +7,7 @@ read back before it is used, so that the file of an episode is that episode to t
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,6 +24,7 @@ from robots.scenes.scene_description import (
 )
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_writer import dump
+from tools.evaluate.skills import rooms
 
 TARGET = "red cup"
 SENTENCE = "pick up the red cup on the table"
@@ -51,6 +52,7 @@ _FRONT_M = ((0.203, 0.525), (0.203, -0.525), (0.208, 0.057), (0.208, -0.057))
 OTHERS_CHANCE = 0.5
 OTHERS_APART_M = 0.22
 CLUTTER = "clutter"
+BENCH, BENCH_CLUTTER = "bench", "bench_clutter"
 CLUTTER_COUNT = (3, 12)
 # Left free between two things amid clutter; fingers need about as much.
 CLUTTER_GAP_M = 0.03
@@ -79,9 +81,12 @@ def episode_scene(seed: int, fault: str | None = None, scene: str | None = None)
     Args:
         seed: The episode's seed.
         fault: As for ``pick_scene``.
-        scene: None for a random table, "clutter" for one with 3 to 12 other things; any other scene, by
-            name or file, with its things, its cup's weight and the robot's start a little different.
+        scene: None for a random table, "clutter" for one with 3 to 12 other things; "bench" and
+            "bench_clutter" for the same before an arm that is bolted down; any other scene, by name or file,
+            with its things, its cup's weight and the robot's start a little different.
     """
+    if scene in (BENCH, BENCH_CLUTTER):
+        return bench_pick(seed, fault, crowded=scene == BENCH_CLUTTER)
     if scene is None or scene == CLUTTER:
         return pick_scene(seed, fault, crowded=scene == CLUTTER)
     return _moved_about(load_scene(scene), seed)
@@ -144,12 +149,39 @@ def pick_scene(seed: int, fault: str | None = None, crowded: bool = False) -> st
         world_T_object=_standing(x, y, table, height, 0.0),
     )
     objects = [cup, *(_crowd if crowded else _others)(rng, table, cup)]
+    things = _with_fault(seed, fault, table, objects)
+    return dump(SceneDescription(f"pick-{seed}", start, PERCEPTION, (table,), tuple(things)))
+
+
+def bench_pick(seed: int, fault: str | None = None, crowded: bool = False) -> str:
+    """The same before an arm that is bolted to a pedestal, with a cup that is slim enough for its fingers."""
+    rng = episode_rng(seed, 0)
+    start, table = rooms.start(rng), rooms.table(rng, rooms.BENCH)
+    place = rooms.spot(rng, table, [], where=rooms.BENCH)
+    if place is None:
+        raise SceneError(f"episode {seed}", "object", "no room for the cup")
+    radius, height = float(rng.uniform(*rooms.BENCH.radius_m)), float(rng.uniform(*CUP_HEIGHT_M))
+    cup = SceneItem(
+        name=TARGET,
+        kind="cup",
+        color="red",
+        shape=Cylinder(radius, height),
+        mass_kg=float(rng.uniform(*CUP_MASS_KG)),
+        friction=float(rng.uniform(*CUP_FRICTION)),
+        world_T_object=_standing(*place, table, height, 0.0),
+    )
+    others = _with_fault(seed, fault, table, [cup, *(_crowd if crowded else _others)(rng, table, cup)])
+    return dump(SceneDescription(f"pick-{seed}", start, PERCEPTION, (table,), tuple(others)))
+
+
+def _with_fault(
+    seed: int, fault: str | None, table: Furniture, objects: Sequence[SceneItem]
+) -> Sequence[SceneItem]:
+    """The things of a scene, the cup first, as a fault has them."""
     if fault == "too_close":
-        objects.insert(1, _neighbour(episode_rng(seed, 1), table, cup))
-        objects = objects[:2] + [item for item in objects[2:] if _apart(item, objects[1])]
-    elif fault == "nothing_there":
-        objects = objects[1:]
-    return dump(SceneDescription(f"pick-{seed}", start, PERCEPTION, (table,), tuple(objects)))
+        beside = _neighbour(episode_rng(seed, 1), table, objects[0])
+        return [objects[0], beside, *(item for item in objects[1:] if _apart(item, beside))]
+    return objects[1:] if fault == "nothing_there" else objects
 
 
 def seen_by(scene: SceneDescription, perception: str | None) -> SceneDescription:

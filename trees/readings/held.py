@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Reason
 from trees.tasks import Thing
@@ -67,7 +67,7 @@ def free_hands(toolbox: Toolbox, named: Hand | None) -> tuple[Hand, ...] | Failu
     """
     frames = toolbox.model.description.tcp_frames
     carrying = {body.frame: name for name, body in toolbox.world.scene.attached.items()}
-    wanted = HANDS if named is None else (named,)
+    wanted = toolbox.model.description.gripping_hands if named is None else (named,)
     free = tuple(hand for hand in wanted if frames[hand] not in carrying)
     if free:
         return free

@@ -20,7 +20,9 @@ def body_pose(toolbox: Toolbox) -> PlanarPose:
 
 
 def feet_pose(toolbox: Toolbox) -> PlanarPose:
-    """The middle between the feet that the robot stands on, and where they point."""
+    """The middle between the feet that the robot stands on, and where they point; a mount without feet."""
+    if toolbox.model.description.welded:
+        return body_pose(toolbox)
     soles = [PlanarPose.of(pose) for _, pose in toolbox.motion.stance().soles]
     return PlanarPose.between(soles[0], soles[-1])
 

@@ -31,13 +31,17 @@ def list_(
             metavar="NAME|FILE.toml", help="Of words: mark what the robot's perception can tell there."
         ),
     ] = DEFAULT_SCENE,
+    robot: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Of skills: tell which of them this robot lacks something for."),
+    ] = None,
 ) -> None:
     """List robots, scenes, skills or words."""
-    for line in _lines(what, scene):
+    for line in _lines(what, scene, robot):
         typer.echo(line)
 
 
-def _lines(what: What, scene: str = DEFAULT_SCENE) -> Iterator[str]:
+def _lines(what: What, scene: str, robot: str | None) -> Iterator[str]:
     match what:
         case What.ROBOTS:
             from robots.outside import known_robots
@@ -50,19 +54,28 @@ def _lines(what: What, scene: str = DEFAULT_SCENE) -> Iterator[str]:
             yield from known_scenes()
             yield from _left_out(_complaints_about("scenes"))
         case What.SKILLS:
-            yield from _skills()
+            yield from _skills(robot)
         case What.WORDS:
             yield from _words(scene)
 
 
-def _skills() -> Iterator[str]:
+def _skills(robot: str | None) -> Iterator[str]:
+    """Every skill with an example; of a robot, with what it lacks for those that it cannot do."""
     from trees.btcpp.judgement_names import outside_judgements
     from trees.btcpp.outside_leaves import outside_leaves
     from trees.extensions import extensions
+    from trees.needs import lacks
     from trees.registry import skills
 
+    description = None
+    if robot is not None:
+        from robots.models.description import load_robot_for_tasks
+
+        description = load_robot_for_tasks(robot).description
     for action, skill in skills().items():
-        yield f"{action:<10} {skill.example}"
+        lacking = [] if description is None else [f"needs {what}" for what in lacks(skill, description)]
+        told = f"no: {', and '.join(lacking)}" if lacking else skill.example
+        yield f"{action:<10} {told}"
     yield f"{'stop':<10} stop"
     yield from _left_out(extensions().complaints)
     yield from _left_out(outside_leaves().complaints)

@@ -14,12 +14,6 @@ _POSITION_TIME_S = 0.03
 """The fingers' position is averaged over this before the grip follows it."""
 _EFFORT_TIME_S = 0.02
 """Efforts are averaged over this for a reading."""
-_DEADBAND_RAD = 0.004
-"""The grip follows the fingers only beyond this: 0.08 Nm at TALOS's stiffness, far above what
-encoder noise would stir and far below what a grasp feels."""
-_MET_RAD = 2e-4
-"""On its way it brakes once it will rest this near: 0.004 Nm, and ten times what noise stirs, which must not
-keep it moving."""
 
 
 class GripKeeper:
@@ -95,7 +89,7 @@ class GripKeeper:
             wanted = self._fingers_rad + self._inwards * self._squeeze_rad
             most = self._gripper.closed_rad
             target = max(wanted, most) if self._inwards < 0.0 else min(wanted, most)
-            near = _MET_RAD if self._tracker.moving else _DEADBAND_RAD
+            near = self._grip.met_rad if self._tracker.moving else self._grip.deadband_rad
             if abs(target - self._tracker.rest_rad) > near:
                 self._tracker.step_towards(target)
                 return self.setpoint

@@ -18,8 +18,6 @@ from robots.interface.robot import RobotState
 _FELT = 0.8
 """Share of the closing effort at which the fingers have met something: the rest comes by itself
 once the setpoint stands, and waiting for all of it would wait for the noise."""
-_ARRIVED_RAD = 0.03
-"""Fingers this near to where they were sent have arrived; friction and the pads' give leave less."""
 _SETTLE_S = 0.6
 """Time beyond the stroke for the effort to build up and for the fingers to settle."""
 _OVERSHOOT = 1.25
@@ -73,6 +71,7 @@ class _GripperMotion:
             duration_s=stroke_s + _SETTLE_S,
         )
         self._gripper = gripper
+        self._arrived_rad = grip.arrived_rad
         self._keeper = keeper
         self._index = keeper.index
         self._tracker: JointTracker | None = None
@@ -101,7 +100,7 @@ class OpenGripper(_GripperMotion):
         """Next setpoint, or None once the fingers are open."""
         self._keeper.pressing = False
         target = self._gripper.open_rad
-        arrived = abs(float(state.q[self._index]) - target) < _ARRIVED_RAD
+        arrived = abs(float(state.q[self._index]) - target) < self._arrived_rad
         if elapsed_s > 0.0 and arrived and self._stands_at(target):
             return None
         return self._steer(target)
@@ -124,7 +123,7 @@ class CloseGripper(_GripperMotion):
         felt = reading.effort_nm >= _FELT * self._effort_nm
         # A thin thing meets the pads so late that the closed position never builds up the effort.
         closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
-        arrived = self._stands_at(target) and abs(float(state.q[self._index]) - target) < _ARRIVED_RAD
+        arrived = self._stands_at(target) and abs(float(state.q[self._index]) - target) < self._arrived_rad
         if felt or closed or arrived:
             self._keeper.pressing = True
             return None

@@ -8,8 +8,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from kinematics.estimation.base_estimator import BaseEstimator
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.estimation.base_estimate import base_estimate
+from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
@@ -84,11 +84,11 @@ class ControlLoop:
         q, fingers = resting_start(model, readings.q)
         standing = StandingRobot.of(model, stance_at(model, q))
         authority = Authority(model.description.actuated)
-        keepers = {hand: GripKeeper(data, hand, fingers[hand], period_s) for hand in HANDS if hand in fingers}
+        keepers = {hand: GripKeeper(data, hand, start_rad, period_s) for hand, start_rad in fingers.items()}
         actuated = np.concatenate([q[7:], list(fingers.values())])
         self._balance = Balance(standing)
         self._sway = SwayDamping(data, period_s)
-        self._estimator = BaseEstimator(standing)
+        self._estimator = base_estimate(standing)
         self._contact = ContactWatch(model, hardware.contact_effort_nm)
         self._gate = SetpointGate(robot, authority, clock, period_s, actuated)
         self._streamer = MotionStreamer(standing, q, keepers, authority, clock, sink, period_s)
@@ -326,7 +326,7 @@ class ControlLoop:
         standing = StandingRobot.of(self._model, stance)
         self._streamer.stand(standing, q)
         self._balance = Balance(standing)
-        self._estimator = BaseEstimator(standing)
+        self._estimator = base_estimate(standing)
 
     def _watch_for_contact(self, state: RobotState) -> None:
         """When the body pushes against something, end what moves the robot: a walk within two steps."""

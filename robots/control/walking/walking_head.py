@@ -31,7 +31,7 @@ class WalkingHead:
             period_s: The control period.
         """
         camera, limits = model.description.head_camera, model.description.limits
-        self._names = [] if camera is None else [camera.pan_joint, camera.tilt_joint]
+        self._names = [] if camera is None or camera.neck is None else list(camera.neck)
         self.columns: NDArray[np.intp] = np.array(
             [7 + model.joint_index(name) for name in self._names], dtype=np.intp
         )

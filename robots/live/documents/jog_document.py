@@ -9,7 +9,6 @@ from kinematics.arrays import Array
 from kinematics.errors import KinematicsError
 from kinematics.following.jog_reference import FRAMES, HandJog, Jog, JointJog
 from kinematics.formats.json_reader import parse_document
-from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene
 from robots.live.documents.scene_part import SCENE_KEYS, read_scene_part, scene_part
@@ -71,7 +70,7 @@ def read_jog(text: str, model: RobotModel) -> Jog | None:
         return JointJog(joint, root.key("rate_rad_s").number(_MOST_RAD_S))
     root.only(("kind", "hand", "frame", "linear_m_s", "angular_rad_s"))
     named, framed = root.key("hand").text(), root.key("frame").text()
-    hand = next((one for one in HANDS if one == named and one in model.description.tcp_frames), None)
+    hand = next((one for one in model.description.hands if one == named), None)
     frame = next((one for one in FRAMES if one == framed), None)
     if hand is None or frame is None:
         raise KinematicsError(f"no hand {named[:20]!r} or no frame {framed[:20]!r}")

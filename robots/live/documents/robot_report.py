@@ -63,6 +63,7 @@ class ReportLayout:
         self._hands = tuple(description.grippers)
         own = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq)
         sizes = (*own, 16 * feet, 4 * len(self._hands), 4 * MOST_LANDINGS)
+        self._slide = {hand: gripper.slides for hand, gripper in description.grippers.items()}
         self._ends = np.cumsum(sizes)[:-1]
         self.count = sum(sizes)
 
@@ -101,7 +102,7 @@ class ReportLayout:
         readings = RobotState(float(head[0]), q, v, effort, gyro, accelerometer, wrench.reshape(-1, 6))
         poses = soles.reshape(-1, 4, 4)
         grippers = {
-            hand: GripperReading(hand, float(p), float(opening), float(nm), bool(holding))
+            hand: GripperReading(hand, float(p), float(opening), float(nm), bool(holding), self._slide[hand])
             for hand, (p, opening, nm, holding) in zip(self._hands, felt.reshape(-1, 4), strict=True)
         }
         return RobotReport(

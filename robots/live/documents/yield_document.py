@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.formats.json_reader import Node, parse_document
 from kinematics.formats.solid_document import MAX_POSITION
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
 from robots.control.hands.yield_order import MANNERS, Manner, YieldOrder
@@ -64,7 +64,7 @@ def read_yield_order(text: str, model: RobotModel, q: NDArray[np.float64]) -> Yi
     root.only(
         tuple(field.name for field in dataclasses.fields(YieldOrder) if field.name != "scene") + SCENE_KEYS
     )
-    hands = tuple(hand for hand in HANDS if hand in model.description.grippers)
+    hands = model.description.gripping_hands
     hand: Hand = "left" if root.key("hand").choice(hands) == "left" else "right"
     manner: Manner = "gentle" if root.key("manner").choice(tuple(MANNERS)) == "gentle" else "usual"
     bias, stop = root.key("bias"), root.key("stop_from")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.opening_path import DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
@@ -23,16 +22,15 @@ def warm_up(model: RobotModel, hardware: Hardware) -> None:
     The first whole-body motion loads a second of compiled code and the first walk another library.
     """
     description = model.description
-    for hand in HANDS:
-        if hand in description.grippers:
-            loop = _loop(model, hardware)
-            q = loop.motion.reference()
-            tcp_m = model.frame_pose(q, description.grippers[hand].tcp_frame)[:3, 3]
-            line = DrawerLine(tcp_m, 0.0)
-            loop.yielding.start(YieldOrder(hand, PlanningScene(), (), line, 0.0, _AHEAD_M, holding=False))
-            _run(loop)
-            loop.stop(1, "it was to warm up")
-            _run(loop)
+    for hand in description.gripping_hands:
+        loop = _loop(model, hardware)
+        q = loop.motion.reference()
+        tcp_m = model.frame_pose(q, description.grippers[hand].tcp_frame)[:3, 3]
+        line = DrawerLine(tcp_m, 0.0)
+        loop.yielding.start(YieldOrder(hand, PlanningScene(), (), line, 0.0, _AHEAD_M, holding=False))
+        _run(loop)
+        loop.stop(1, "it was to warm up")
+        _run(loop)
     if description.walking is not None:
         loop = _loop(model, hardware)
         loop.walking.walk(VelocitySteering(description.walking, 0.1, 0.0), "walk")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import xml.etree.ElementTree as ElementTree
 
 import mujoco
@@ -20,7 +21,6 @@ from robots.simulated.body.geom_roles import (
 )
 
 ROOT_JOINT = "root"
-JOINT_DAMPING = 1.0
 GRIPPER_DAMPING = 0.02
 """Nm s/rad. The URDF's friction of the gripper equals its effort and would jam it; damping only."""
 HULL_FRICTION = 0.1
@@ -39,11 +39,14 @@ outwards at the centripetal acceleration times half this time: 5 mm/s for 1 m/s^
 forces. Two physics steps are the least."""
 MIMIC_SOLREF = (0.005, 1.0)
 MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
-GYRO, ACCELEROMETER = "gyro", "accelerometer"
+IMU_SENSORS = {"gyro": mujoco.mjtSensor.mjSENS_GYRO, "accelerometer": mujoco.mjtSensor.mjSENS_ACCELEROMETER}
+"""In the order in which they are read."""
+_UNREAD = ".dae"
+"""Drawings of this kind MuJoCo does not read."""
 
 
 def robot_spec(robot: RobotData) -> mujoco.MjSpec:
-    """Build the robot alone: free to move, with position servos and sensors, in the air.
+    """Build the robot alone, with position servos and sensors: in the air, or welded to the world.
 
     Raises:
         DescriptionError: The URDF lacks a link or joint that the description names.
@@ -61,8 +64,10 @@ def robot_spec(robot: RobotData) -> mujoco.MjSpec:
         balanceinertia="true",
     )
     urdf.insert(0, options)
+    _draw_by_hulls(urdf)
     spec = mujoco.MjSpec.from_string(ElementTree.tostring(urdf, encoding="unicode"))
-    body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
+    if not description.welded:
+        body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
     _assign_roles(spec, description)
     _tune_joints(spec, description)
     for sole in description.soles:
@@ -73,6 +78,24 @@ def robot_spec(robot: RobotData) -> mujoco.MjSpec:
     _add_actuators(spec, robot)
     _add_sensors(spec, description)
     return spec
+
+
+def _draw_by_hulls(urdf: ElementTree.Element) -> None:
+    """Draw links whose drawings MuJoCo cannot read as what they collide with."""
+    for link in urdf.findall("link"):
+        unread = [item for item in link.findall("visual") if _drawing(item).endswith(_UNREAD)]
+        if unread:
+            for item in unread:
+                link.remove(item)
+            for hull in link.findall("collision"):
+                drawn = ElementTree.SubElement(link, "visual")
+                drawn.extend(copy.deepcopy(list(hull)))
+
+
+def _drawing(visual: ElementTree.Element) -> str:
+    """The file of a link's drawing; empty for a simple solid."""
+    mesh = visual.find("geometry/mesh")
+    return "" if mesh is None else mesh.get("filename", "").lower()
 
 
 def pad_name(link: str) -> str:
@@ -126,10 +149,15 @@ def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
 
 
 def _rigidly_with(spec: mujoco.MjSpec, frame: str) -> frozenset[str]:
-    """Links that cannot move against a frame's link: up to the first joint, and all that hangs there."""
+    """Links that cannot move against a frame's link: up to the first joint, and all that hangs there.
+
+    A frame that no joint moves is of a camera that stands apart, before nothing of the robot.
+    """
     top = body(spec, frame)
     while not top.joints:
         top = top.parent
+        if top is None or top == spec.worldbody:
+            return frozenset({frame})
     names, open_ends = set(), [top]
     while open_ends:
         link = open_ends.pop()
@@ -148,7 +176,8 @@ def _tune_joints(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         if driver not in description.armature:
             raise DescriptionError(f"joint {joint.name!r} is not described")
         joint.armature = description.armature[driver]
-        joint.damping = (GRIPPER_DAMPING if driver in grippers else JOINT_DAMPING, 0.0, 0.0)
+        viscosity = description.joint_viscosity_nms_rad
+        joint.damping = (GRIPPER_DAMPING if driver in grippers else viscosity, 0.0, 0.0)
         joint.frictionloss = 0.0
         joint.actfrclimited = False  # the actuators carry the limits
     for equality in spec.equalities:
@@ -219,10 +248,10 @@ def _add_actuators(spec: mujoco.MjSpec, robot: RobotData) -> None:
 
 def _add_sensors(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     site = mujoco.mjtObj.mjOBJ_SITE
-    body(spec, description.imu_link).add_site(name=description.imu_link)
-    kinds = ((GYRO, mujoco.mjtSensor.mjSENS_GYRO), (ACCELEROMETER, mujoco.mjtSensor.mjSENS_ACCELEROMETER))
-    for name, kind in kinds:
-        spec.add_sensor(name=name, type=kind, objtype=site, objname=description.imu_link)
+    if description.imu is not None:
+        body(spec, description.imu).add_site(name=description.imu)
+        for name, kind in IMU_SENSORS.items():
+            spec.add_sensor(name=name, type=kind, objtype=site, objname=description.imu)
     for sole in description.soles:
         for label, kind in (
             ("force", mujoco.mjtSensor.mjSENS_FORCE),

@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from kinematics.model.robot_description import RobotDescription
 from robots.errors import DescriptionError, SceneError
 from robots.interface.hardware import RobotData
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import SceneDescription
-from robots.simulated.body.body_model import ROOT_JOINT, finger_links, pad_name, robot_spec
+from robots.simulated.body.body_model import ROOT_JOINT, body, finger_links, pad_name, robot_spec
 from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
 from robots.simulated.body.mesh_model import part_names
@@ -45,6 +46,8 @@ class Physics:
         self.description, self.hardware, self.scene = description, robot.hardware, scene
         spec = robot_spec(robot)
         _set_options(spec)
+        if description.welded:
+            _mount(spec, description, scene)
         add_scene(spec, scene, description)
         try:
             self.model = spec.compile()
@@ -150,9 +153,35 @@ class Physics:
         return role, label
 
     def _stand_up(self) -> None:
-        """Put the robot at its start, home posture, soles on the floor; refuse a start inside things."""
-        description, data, start = self.description, self.data, self.scene.robot_start
+        """Put the robot at its start in its home posture; refuse a start inside things."""
+        description, data = self.description, self.data
         data.qpos[self.joint_qpos] = [description.home[name] for name in description.actuated]
+        self._let_fingers_follow()
+        if not description.welded:
+            self._put_on_soles()
+        mujoco.mj_forward(self.model, data)
+        self._fresh_time_s = float(data.time)
+        for first, second in data.contact.geom[: data.ncon]:
+            roles = {int(self.geom_role[first]), int(self.geom_role[second])}
+            mine = roles & {Role.BODY, Role.FINGER, Role.PAD}
+            other = roles & {Role.FURNITURE, Role.OBJECT, Role.PERSON}
+            if mine and other:
+                touching = f"{self.geom_label[first]!r} and {self.geom_label[second]!r}"
+                raise SceneError(self.scene.name, "robot_start", f"the robot starts in contact: {touching}")
+
+    def _let_fingers_follow(self) -> None:
+        """Put joints that mimic others where those have them."""
+        model, data = self.model, self.data
+        for constraint in range(model.neq):
+            if model.eq_type[constraint] == mujoco.mjtEq.mjEQ_JOINT:
+                follower, driver = model.eq_obj1id[constraint], model.eq_obj2id[constraint]
+                at = data.qpos[model.jnt_qposadr[driver]]
+                coefficients = model.eq_data[constraint, :5]
+                data.qpos[model.jnt_qposadr[follower]] = np.polynomial.polynomial.polyval(at, coefficients)
+
+    def _put_on_soles(self) -> None:
+        """Move the base so that the soles stand at the start, pressed into the floor as they settle."""
+        data, start = self.data, self.scene.robot_start
         base = self._qpos_address(ROOT_JOINT)
         data.qpos[base : base + 7] = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
         mujoco.mj_kinematics(self.model, data)
@@ -164,15 +193,17 @@ class Physics:
         x, y, z, w = poses.quaternion_from_rotation(world_T_base[:3, :3])
         data.qpos[base : base + 7] = (*world_T_base[:3, 3], w, x, y, z)
         data.qpos[base + 2] -= SETTLED_DEPTH_M
-        mujoco.mj_forward(self.model, data)
-        self._fresh_time_s = float(data.time)
-        for first, second in data.contact.geom[: data.ncon]:
-            roles = {int(self.geom_role[first]), int(self.geom_role[second])}
-            mine = roles & {Role.BODY, Role.FINGER, Role.PAD}
-            other = roles & {Role.FURNITURE, Role.OBJECT, Role.PERSON}
-            if mine and other:
-                touching = f"{self.geom_label[first]!r} and {self.geom_label[second]!r}"
-                raise SceneError(self.scene.name, "robot_start", f"the robot starts in contact: {touching}")
+
+
+def _mount(spec: mujoco.MjSpec, description: RobotDescription, scene: SceneDescription) -> None:
+    """Bolt the base to the world where the robot starts."""
+    start, (roll, pitch, yaw) = scene.robot_start, description.mount_rpy_rad
+    turn = poses.rotation_z(yaw) @ poses.rotation_y(pitch) @ poses.rotation_x(roll)
+    world_T_start = poses.transform(poses.rotation_z(start.yaw_rad), (start.x_m, start.y_m, 0.0))
+    world_T_base = world_T_start @ poses.transform(turn, description.mount_xyz_m)
+    x, y, z, w = poses.quaternion_from_rotation(world_T_base[:3, :3])
+    base = body(spec, description.base_link)
+    base.pos, base.quat = world_T_base[:3, 3], [w, x, y, z]
 
 
 def _set_options(spec: mujoco.MjSpec) -> None:

@@ -14,7 +14,7 @@ from kinematics.model.robot_description import RobotDescription
 from robots.errors import SetpointRefusedError
 from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint, RobotState
-from robots.simulated.body.body_model import ACCELEROMETER, GYRO
+from robots.simulated.body.body_model import IMU_SENSORS
 from robots.simulated.body.physics import TIMESTEP_S, Physics
 from robots.simulated.body.servo_arrays import add_readings, begin_ramp, servo_inputs
 
@@ -52,7 +52,8 @@ class SimulatedRobot:
         self._ctrl, self._force, self._sensors = data.ctrl, data.actuator_force, data.sensordata
         self._sensor_order = _sensor_order(physics)
         # MuJoCo tells what a sole presses on the floor, negated; a robot tells what the floor gives it.
-        self._sensor_sign = np.array([1.0] * 6 + [-1.0] * 6 * len(description.soles))
+        imu = 0 if description.imu is None else 6
+        self._sensor_sign = np.array([1.0] * imu + [-1.0] * 6 * len(description.soles))
         self._sigma = _sigmas(RobotData(description, physics.hardware))
         self._noise, self._noise_row = np.empty((0, len(self._sigma))), 0
         self._effort = np.zeros(self._count)
@@ -170,9 +171,13 @@ _TIMESTEP_NS = round(TIMESTEP_S * 1e9)
 
 
 def _sensor_order(physics: Physics) -> NDArray[np.intp]:
-    """Where gyro, accelerometer and each sole's force and torque stand in MuJoCo's sensor array."""
+    """Where gyro, accelerometer and each sole's force and torque stand in MuJoCo's sensor array.
+
+    Of a robot without IMU, which has no soles either, nothing: it reads noise alone.
+    """
+    imu = () if physics.description.imu is None else tuple(IMU_SENSORS)
     soles = [f"{kind}:{sole.side}" for sole in physics.description.soles for kind in ("force", "torque")]
-    starts = [int(physics.model.sensor(name).adr[0]) for name in (GYRO, ACCELEROMETER, *soles)]
+    starts = [int(physics.model.sensor(name).adr[0]) for name in (*imu, *soles)]
     return np.array([start + i for start in starts for i in range(3)], dtype=np.intp)
 
 

@@ -43,9 +43,7 @@ class StandingView:
 
     def __init__(self, robot: RobotData, scene: SceneDescription, gaze: Gaze, seed: int) -> None:
         head, camera = robot.description.camera, robot.hardware.cameras[0]
-        home = {**robot.description.home, head.tilt_joint: gaze.tilt_rad, head.pan_joint: gaze.pan_rad}
-        if head.lean_joint is not None:
-            home[head.lean_joint] = gaze.lean_rad
+        home = {**robot.description.home, **head.aimed(gaze.pan_rad, gaze.tilt_rad, gaze.lean_rad)}
         robot = replace(robot, description=replace(robot.description, home=home))
         self._physics, self._camera, self._scene = Physics(robot, scene), camera, scene
         self._studio = Studio(robot, scene, (camera.width_px, camera.height_px))

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from robots.errors import RenderingUnavailableError
 from robots.simulated.body.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.body.person_model import draw_forearms
@@ -178,10 +178,10 @@ class Renderer:
         truth = self._world.truth
         touched = {contact.pad for name in truth.objects() for contact in truth.contacts.of_pads(name)}
         grippers = self._world.physics.description.grippers
-        for hand in HANDS:
+        for hand in grippers:
             if touched & set(grippers[hand].pad_links):
                 return hand
-        return max(HANDS, key=lambda hand: float(truth.world_T_tcp(hand)[2, 3]))
+        return max(grippers, key=lambda hand: float(truth.world_T_tcp(hand)[2, 3]))
 
 
 def snapshot(

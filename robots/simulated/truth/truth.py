@@ -174,6 +174,11 @@ class SimulatorTruth:
         """Pose of a hand's TCP, shape (4, 4)."""
         return self._pose(self._tcp_body[hand])
 
+    @property
+    def hands(self) -> tuple[Hand, ...]:
+        """The hands that can hold something, left before right."""
+        return tuple(self._tcp_body)
+
     def world_T_link(self, link: str) -> Transform:
         """Pose of any link or frame of the robot, shape (4, 4)."""
         return self._pose(self._physics.body_id(link))
@@ -239,8 +244,10 @@ class SimulatorTruth:
 
     def com_margin_m(self) -> float:
         """Distance of the CoM's projection to the edge of the true support polygon, positive inside;
-        ``-inf`` while no sole carries.
+        ``-inf`` while no sole carries, ``inf`` of a welded robot.
         """
+        if self._physics.description.welded:
+            return math.inf
         return self._support.margin_m(self.com()[:2], self._carrying_corners())
 
     def _carrying_corners(self) -> Array:

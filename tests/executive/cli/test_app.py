@@ -80,7 +80,7 @@ def test_what_is_not_understood_moves_nothing_and_says_why(executive, text, code
     ("options", "says"),
     [
         (["--robot", "tallos"], "the nearest is 'talos'"),
-        (["--robot", "panda"], "panda' can plan but not carry out tasks yet"),
+        (["--robot", "g1"], "g1' can plan but not carry out tasks yet"),
         (["--scene", "tabeltop"], "tabletop"),
         (["--scene", "none.toml"], "none.toml"),
         (["--report", "/nowhere/at/all/report.json"], "cannot write"),
@@ -478,3 +478,26 @@ def test_a_pace_that_is_none_is_refused_before_anything_is_served(executive, pac
 
     assert answer.exit_code == 2
     assert told in answer.output
+
+
+def test_the_skills_of_a_robot_are_listed_with_what_it_lacks_for_the_others(executive):
+    lines = executive("list", "skills", "--robot", "panda").stdout.splitlines()
+
+    assert "pick       pick up the red cup on the table" in lines
+    assert "walk_to    no: needs feet; panda stands on a welded base" in lines
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("walk to the table", "walk_to needs feet; panda stands on a welded base"),
+        ("look at the red box", "look_at needs eyes that aim; the camera of panda stays as it is"),
+        ("pick up the red box with your left hand", "panda has no left hand, but its right hand"),
+    ],
+)
+@pytest.mark.parametrize("command", ["run", "check"])
+def test_what_a_robot_has_no_part_for_is_refused_by_naming_the_part(executive, command, text, says):
+    result = executive(command, text, "--robot", "panda", "--scene", "bench")
+
+    assert result.exit_code == 1
+    assert says in result.output

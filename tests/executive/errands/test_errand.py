@@ -357,7 +357,10 @@ def test_what_the_robot_lacks_for_a_skill_is_told_before_anything_moves(fake_sta
 
     [result] = on.run(WalkToTask("go", ObjectDescription("table")))
 
-    assert (result.outcome, result.failure.message) == ("failed", "talos cannot walk here")
+    assert (result.outcome, result.failure.message) == (
+        "failed",
+        "walk_to needs feet; talos cannot walk here",
+    )
     assert on.fake.session.now_s == 0.0
 
 

@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from kinematics.following.hand_tracker import TARGET_STEP_M, TICK_S, HandGoal, HandTracker
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
+from robots.models.description import load_description
 
 TIMES = 0.002 * np.arange(1, 6)
 UP = np.array([0.0, 0.0, 1.0])
@@ -81,3 +84,15 @@ def test_the_centre_of_mass_goes_where_it_is_wanted(talos, tracker):
 
     assert talos.com(samples[-1].q)[0] == pytest.approx(-0.005 - 0.03, abs=0.008)
     assert np.linalg.norm(tracker.tcp_m - here) < 2e-3
+
+
+def test_a_welded_arm_follows_with_its_joints_alone():
+    panda = RobotModel(load_description("panda"))
+    tracker = HandTracker(StandingRobot(panda, Stance(())), "right", panda.q_home)
+    goal = goal_at(tracker, (0.1, 0.08, -0.1))
+
+    samples = followed(tracker, goal, 300)
+
+    assert np.linalg.norm(tracker.tcp_m - goal.position_m) < 1e-3
+    assert all(np.array_equal(sample.q[:7], panda.q_home[:7]) for sample in samples)
+    assert not any(sample.v[:6].any() for sample in samples)

@@ -101,3 +101,33 @@ def test_both_hands_mirror_each_other(talos):
     for a, b in zip(left, right, strict=True):
         assert a.world_T_tcp[:3, 3] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 3])
         assert a.world_T_tcp[:3, 0] * (1, -1, 1) == pytest.approx(b.world_T_tcp[:3, 0])
+
+
+def with_a_short_palm(talos):
+    """The same hand, whose palm comes within 4 cm of the middle between the pads."""
+    return dataclasses.replace(talos.description.grippers["right"], palm_distance_m=0.04)
+
+
+@pytest.mark.parametrize("shape", [Box((0.10, 0.05, 0.12)), Cylinder(0.035, 0.12)])
+def test_a_grasp_whose_palm_would_keep_the_pads_off_is_none(talos, shape):
+    gripper = with_a_short_palm(talos)
+    item = SceneObject("thing", shape, poses.translation(0.5, -0.2, 0.9))
+
+    grasps = [found.grasp for found in grasp_candidates(item, gripper, 0.0, 0.1)]
+
+    top_m = 0.9 + 0.5 * shape.height_m
+    assert grasps
+    assert min(tilt_of(grasp) for grasp in grasps) > 5.0
+    assert all(grasp.world_T_tcp[2, 3] <= top_m - gripper.lowest_overlap_m + 1e-9 for grasp in grasps)
+
+
+def test_how_far_fingertips_reach_below_what_they_grasp_from_above_is_the_grippers(talos):
+    low = SceneObject("box", Box((0.05, 0.05, 0.08)), poses.translation(0.5, -0.2, 0.9))
+    usual = talos.description.grippers["right"]
+    short = dataclasses.replace(usual, tip_gap_m=0.02, pad_overlap_m=0.01, lowest_overlap_m=0.0)
+
+    def lowest_m(gripper):
+        found = [one.grasp for one in grasp_candidates(low, gripper, 0.0, 0.1)]
+        return min(grasp.world_T_tcp[2, 3] for grasp in found if tilt_of(grasp) > 85.0)
+
+    assert lowest_m(short) < lowest_m(usual) - 0.01

@@ -1,3 +1,4 @@
+import dataclasses
 import itertools
 from types import SimpleNamespace
 
@@ -7,14 +8,24 @@ import pytest
 from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.model.robot_model import RobotModel
 from kinematics.planning import pick_planner, pick_task
-from kinematics.planning.grasps import ABOVE_MIDDLE, PAD_OVERLAP_M
+from kinematics.planning.grasps import ABOVE_MIDDLE
 from kinematics.planning.pick_planner import MOST_BLOCKED, PickPlanner
 from kinematics.planning.pick_task import PickTask
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.reserves import PLANNING_RESERVE_M
+
+
+def never_above_what_is_low(talos):
+    """The same robot, whose TCPs go as far down over what is low as over all else."""
+    grippers = {
+        hand: dataclasses.replace(gripper, lowest_overlap_m=gripper.pad_overlap_m)
+        for hand, gripper in talos.description.grippers.items()
+    }
+    return RobotModel(dataclasses.replace(talos.description, grippers=grippers))
 
 
 def plan(talos, stance, scene, **options):
@@ -98,7 +109,7 @@ def test_a_low_cup_is_grasped_with_less_room_before_it_is_given_up(talos, stance
     )
     low = SceneObject("cup", Cylinder(0.029, 0.07), poses.translation(0.55, -0.04, 0.936), margin_m=0.01)
     scene = PlanningScene().with_objects([top, low])
-    monkeypatch.setattr("kinematics.planning.grasps.LOWEST_OVERLAP_M", PAD_OVERLAP_M)
+    talos = never_above_what_is_low(talos)
 
     assert isinstance(plan(talos, stance, scene), PickPlan)
     monkeypatch.setattr("kinematics.planning.pick_planner.LEAST_RESERVE_M", PLANNING_RESERVE_M)
@@ -247,8 +258,7 @@ def test_over_a_low_box_fingers_that_would_come_too_near_to_the_table_reach_less
     scene = PlanningScene().with_objects([top, low])
 
     assert isinstance(plan(talos, stance, scene), PickPlan)
-    monkeypatch.setattr("kinematics.planning.grasps.LOWEST_OVERLAP_M", PAD_OVERLAP_M)
-    assert isinstance(plan(talos, stance, scene), NoPlan)
+    assert isinstance(plan(never_above_what_is_low(talos), stance, scene), NoPlan)
 
 
 LYING = poses.rotation_y(0.5 * np.pi)

@@ -13,6 +13,7 @@ from kinematics.geometry import poses
 from kinematics.model.robot_description import GROUPS
 from kinematics.model.robot_model import RobotModel
 from robots.errors import DescriptionError, UnknownRobotError
+from robots.interface.gripper_reading import read_gripper
 from robots.models import description as reader
 from robots.models.description import load_description, load_robot, load_robot_for_tasks
 from robots.models.urdf import add_collision_box, moving_joints, with_fixed_joints
@@ -103,17 +104,23 @@ def test_an_unknown_robot_is_refused_with_the_nearest_name():
 
 
 def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
-    with pytest.raises(MissingPartError, match="panda has no camera"):
-        _ = load_description("panda").camera
+    with pytest.raises(MissingPartError, match="g1 has no camera"):
+        _ = load_description("g1").camera
 
 
-def test_a_robot_that_lacks_parts_is_not_given_tasks_and_they_are_named():
-    with pytest.raises(DescriptionError, match=r"panda.* no feet, .*no left gripper"):
-        load_robot_for_tasks("panda")
+def test_a_robot_without_eyes_is_not_given_tasks():
+    with pytest.raises(DescriptionError, match=r"g1.* no camera"):
+        load_robot_for_tasks("g1")
 
 
-def test_a_whole_humanoid_is_given_tasks():
-    assert load_robot_for_tasks("talos").description.missing_for_tasks == ()
+@pytest.mark.parametrize("name", ["talos", "panda"])
+def test_a_robot_with_eyes_is_given_tasks(name):
+    assert load_robot_for_tasks(name).description.missing_for_tasks == ()
+
+
+def test_a_gaze_names_the_joints_that_there_are():
+    assert load_description("panda").camera.aimed(0.1, 0.2, 0.3) == {}
+    assert load_description("talos").camera.aimed(0.1, 0.2) == {"head_1_joint": 0.2, "head_2_joint": 0.1}
 
 
 @pytest.mark.parametrize(
@@ -132,11 +139,6 @@ def test_data_that_contradict_themselves_are_refused(changes, says):
 
     with pytest.raises(DescriptionError, match=says):
         reader._require_consistent(dataclasses.replace(panda, **changes), links)
-
-
-def test_hands_that_cannot_grasp_are_told_with_their_reason():
-    with pytest.raises(DescriptionError, match=r"g1.* no left gripper, no right gripper \(its hands are of"):
-        load_robot_for_tasks("g1")
 
 
 @pytest.fixture
@@ -185,3 +187,12 @@ def test_a_description_that_cannot_be_read_is_refused_with_robot_file_key_and_re
     assert str(refused.value).startswith("robot 'mine': ")
     assert says in str(refused.value)
     assert "description.toml" in str(refused.value) or says.startswith("[")
+
+
+@pytest.mark.parametrize(("name", "told"), [("talos", "50 mm, 4.2 Nm"), ("panda", "50 mm, 4.2 N")])
+def test_what_a_gripper_feels_is_told_in_the_unit_of_its_joint(name, told):
+    robot = load_robot(name)
+    gripper, grip = robot.description.grippers["right"], robot.hardware.grips["right"]
+    at = {"talos": -0.30, "panda": 0.025}[name]
+
+    assert str(read_gripper(gripper, grip, at, -4.2)) == told

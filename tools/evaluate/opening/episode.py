@@ -25,13 +25,14 @@ _DRAWS = 20
 
 @dataclass(frozen=True, slots=True)
 class OpeningOrder:
-    """Which episode to run, and how the robot sees in it; None is what the scene says."""
+    """Which episode to run, how the robot sees in it (None: as the scene says), and whether on a bench."""
 
     suite: str
     seed: int
     robot: str
     fault: str | None = None
     perception: str | None = None
+    bench: bool = False
 
 
 def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
@@ -45,7 +46,7 @@ def run_opening(order: OpeningOrder) -> OpeningRecord:
     A door that stands open where the robot's hand is cannot be: it is drawn again.
     """
     for draw in range(_DRAWS):
-        scene = opening_scene(order.seed, order.suite, draw)
+        scene = opening_scene(order.seed, order.suite, draw, order.bench)
         try:
             return _run(order, scene)
         except SceneError:
@@ -57,7 +58,7 @@ def run_opening(order: OpeningOrder) -> OpeningRecord:
 
 def died(order: OpeningOrder) -> list[OpeningRecord]:
     """The record of an episode whose process died."""
-    return [_broken(order, opening_scene(order.seed, order.suite), "the process died")]
+    return [_broken(order, opening_scene(order.seed, order.suite, bench=order.bench), "the process died")]
 
 
 def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord:
@@ -82,8 +83,9 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
     judge = OpeningJudge(truth, assembly.model.description.soles, FURNITURE, pushing)
     faults = assembly.perception.faults
     if described.perception.kind == "stub":  # a camera errs by itself
-        faults.misplace("handle", scene.handle_error_m, first_look_only=False)
-        faults.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
+        for stub in (faults, *(other.faults for other in assembly.perception.cameras)):
+            stub.misplace("handle", scene.handle_error_m, first_look_only=False)
+            stub.misplace(scene.kind, scene.panel_error_m, first_look_only=False)
     fired: list[float] = []
     if order.fault is not None:
         rng = episode_rng(order.seed, 17)

@@ -89,7 +89,7 @@ class OpeningJudge:
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
             self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
-            self.feet_slip_m = max(self.feet_slip_m, *self._slips_m())
+            self.feet_slip_m = max((self.feet_slip_m, *self._slips_m()))
         self._periods += 1
 
     def _slips_m(self) -> list[float]:

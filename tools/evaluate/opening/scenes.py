@@ -16,7 +16,7 @@ from robots.scenes.scene_description import (
     RobotStart,
     SceneDescription,
 )
-from robots.scenes.scene_file import read_scene
+from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_writer import dump
 from tools.evaluate.scenes import episode_rng
 
@@ -34,6 +34,10 @@ HINGE_AHEAD_M, HINGE_ASIDE_M, DOOR_TURNED_RAD = 0.80, 0.75, 0.15
 """Where a robot stands best to open a door: the plane of the hinge ahead, the hinge to the side."""
 CHEST_AHEAD_M, CHEST_ASIDE_M = (0.70, 0.76), (0.30, 0.42)
 FRIDGE_DEPTH_M, CHEST_DEPTH_M = 0.64, 0.50
+BENCH_DRAWERS = "bench_drawers"
+"""The scene of an arm that is bolted down: drawers alone; a camera behind the arm sees their fronts."""
+BENCH_HEIGHT_M, BENCH_AHEAD_M, BENCH_ASIDE_M = (0.90, 1.15), (0.78, 0.84), (-0.20, 0.20)
+BENCH_STAND_M, BENCH_STAND_RAD = 0.03, math.radians(5.0)
 LOCKED_EVERY = 4
 """One of so many is locked, in the suite that opens."""
 
@@ -63,13 +67,14 @@ class OpeningScene:
         return read_scene(self.toml, f"{FURNITURE}.toml", FURNITURE)
 
 
-def opening_scene(seed: int, suite: str, draw_number: int = 0) -> OpeningScene:
+def opening_scene(seed: int, suite: str, draw_number: int = 0, bench: bool = False) -> OpeningScene:
     """The scene of one episode; doors of both hands and drawers take turns.
 
     Args:
         seed: The episode's.
         suite: "open" or "close".
         draw_number: How often it was drawn before and could not be.
+        bench: Whether it is before an arm that is bolted down.
     """
     rng = episode_rng(seed, 7 if draw_number == 0 else 700 + draw_number)
 
@@ -79,9 +84,10 @@ def opening_scene(seed: int, suite: str, draw_number: int = 0) -> OpeningScene:
     closing = suite == "close"
     locked = not closing and seed % LOCKED_EVERY == LOCKED_EVERY - 1
     which = (seed // LOCKED_EVERY if locked else seed) % 3
-    hinge = ("left", "right", "")[which]
+    hinge = "" if bench else ("left", "right", "")[which]
     side = -1.0 if hinge == "right" else 1.0
-    start = RobotStart(draw((-STAND_M, STAND_M)), draw((-STAND_M, STAND_M)), draw((-STAND_RAD, STAND_RAD)))
+    stand_m, stand_rad = (BENCH_STAND_M, BENCH_STAND_RAD) if bench else (STAND_M, STAND_RAD)
+    start = RobotStart(draw((-stand_m, stand_m)), draw((-stand_m, stand_m)), draw((-stand_rad, stand_rad)))
     if hinge:
         part = MovingPart(
             hinge="left" if hinge == "left" else "right",
@@ -109,12 +115,20 @@ def opening_scene(seed: int, suite: str, draw_number: int = 0) -> OpeningScene:
             handle_length_m=0.16,
             handle_friction=draw(PAD_FRICTION),
         )
-        aside = draw(CHEST_ASIDE_M) * (1.0 if rng.random() < 0.5 else -1.0)
-        size = (CHEST_DEPTH_M, 0.45, draw(CHEST_HEIGHT_M))
-        place = (draw(CHEST_AHEAD_M) + 0.5 * CHEST_DEPTH_M, aside)
+        if bench:
+            aside, height, ahead = draw(BENCH_ASIDE_M), draw(BENCH_HEIGHT_M), draw(BENCH_AHEAD_M)
+        else:
+            aside = draw(CHEST_ASIDE_M) * (1.0 if rng.random() < 0.5 else -1.0)
+            height, ahead = draw(CHEST_HEIGHT_M), draw(CHEST_AHEAD_M)
+        size = (CHEST_DEPTH_M, 0.45, height)
+        place = (ahead + 0.5 * CHEST_DEPTH_M, aside)
         piece = Furniture(FURNITURE, "drawers", size, place, 0.0, opens=part)
     scene = SceneDescription(
-        FURNITURE, start, PerceptionModel(bias_m=0.0, size_noise=0.0), furniture=(piece,)
+        FURNITURE,
+        start,
+        PerceptionModel(bias_m=0.0, size_noise=0.0),
+        furniture=(piece,),
+        cameras=load_scene(BENCH_DRAWERS).cameras if bench else (),
     )
     x, y = (draw((-HANDLE_ERROR_M, HANDLE_ERROR_M)) for _ in range(2))
     radius = draw((-RADIUS_ERROR_M, RADIUS_ERROR_M)) if hinge else 0.0

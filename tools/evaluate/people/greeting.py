@@ -10,7 +10,7 @@ import numpy as np
 from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from kinematics.arrays import Array
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from robots.scenes.scene_description import Person, SceneDescription
 from tools.evaluate.people.crowd import ends_at, peopled_flat, room_of
 from tools.evaluate.skills.gestures import FACING_RAD, SWINGS, AimedAt, turns
@@ -36,7 +36,7 @@ class GreetingJudge:
         self._see = _LivePerson(assembly, trial)
         self._walkers = [person.name for person in trial.scene.people if person.way_m]
         self._periods = 0
-        self._aside: dict[Hand, list[float]] = {hand: [] for hand in HANDS}
+        self._aside: dict[Hand, list[float]] = {hand: [] for hand in self._see.truth.hands}
         self._swings = 0
         self._greeted: list[tuple[str, float, float]] = []
 
@@ -59,7 +59,7 @@ class GreetingJudge:
 
     def _follow_hands(self) -> None:
         off, aim = self._see.off_facing_rad(), self._see.aim()
-        for hand in HANDS:
+        for hand in self._see.truth.hands:
             place, shoulder = self._see.truth.world_T_tcp(hand)[:3, 3], self._see.joint_place(hand, 1)
             if place[2] <= shoulder[2] or off > FACING_RAD:
                 self._aside[hand].clear()

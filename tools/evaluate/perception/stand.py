@@ -34,10 +34,8 @@ class Stand:
     def __init__(self, robot: RobotData, what: Look, seed: int) -> None:
         """Put the robot before its table, with head and trunk as the look says."""
         description = robot.description
-        head = description.camera
-        home = {**description.home, head.tilt_joint: what.tilt_rad, head.pan_joint: what.pan_rad}
-        if head.lean_joint is not None:
-            home[head.lean_joint] = what.lean_rad
+        aimed = description.camera.aimed(what.pan_rad, what.tilt_rad, what.lean_rad)
+        home = {**description.home, **aimed}
         robot = replace(robot, description=replace(description, home=home))
         self._own, self._scene, self._seed = robot.hardware.cameras[0], what.scene, seed
         lenses = [self._own, *(camera.lens for camera in what.scene.cameras)]

@@ -21,7 +21,7 @@ from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
-from tools.evaluate.scenes import episode_rng, seen_by
+from tools.evaluate.scenes import BENCH, episode_rng, seen_by
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial, Verdict
@@ -57,9 +57,22 @@ IN_PART = "told in part"
 """The outcome of an answer that said that there may be more, and was not right."""
 
 
-def trial_of(suite: str, seed: int) -> Trial:
-    """The episode of a seed."""
-    return SKILL_SUITES[suite].trial(episode_rng(seed, 10))
+def trial_of(suite: str, seed: int, scene: str | None = None) -> Trial:
+    """The episode of a seed.
+
+    Args:
+        suite: Of a skill.
+        seed: The episode's.
+        scene: "bench" for what an arm that is bolted down has before it; None for a room.
+
+    Raises:
+        ValueError: The suite has no such episodes.
+    """
+    found = SKILL_SUITES[suite]
+    make = found.trial if scene is None else found.on_bench if scene == BENCH else None
+    if make is None:
+        raise ValueError(f"the suite {suite} has no episodes in the scene {scene!r}")
+    return make(episode_rng(seed, 10))
 
 
 def run_skill_episode(suite: str, order: EpisodeOrder) -> EpisodeRecord:
@@ -125,7 +138,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 
 def _seen_as_ordered(suite: str, order: EpisodeOrder) -> Trial:
     """The episode with the perception that is asked for; a camera does not see what people are called."""
-    trial, unnamed = trial_of(suite, order.seed), SKILL_SUITES[suite].unnamed
+    trial, unnamed = trial_of(suite, order.seed, order.scene), SKILL_SUITES[suite].unnamed
     if order.perception == "rgbd" and unnamed is not None:
         trial = unnamed(trial)
     return replace(trial, scene=seen_by(trial.scene, order.perception))

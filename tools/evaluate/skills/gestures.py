@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from kinematics.arrays import Array
 from kinematics.ik.arm_frames import beside_ray_m, link_moved_by
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from robots.scenes.scene_description import Person, SceneDescription
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
@@ -34,8 +35,9 @@ class AimedAt:
     def __init__(self, assembly: Assembly, trial: Trial) -> None:
         self.truth, self.trial = assembly.world.truth, trial
         self._model = assembly.model
-        chest = assembly.model.description.groups["torso"][-1]
-        self._chest = link_moved_by(assembly.model, chest)
+        description = assembly.model.description
+        torso = description.groups["torso"]
+        self._chest = link_moved_by(assembly.model, torso[-1]) if torso else description.base_link
         self._home = self.truth.world_T_link(self._chest)[:3, :3]
         self._camera = assembly.model.description.camera
         self._heading = trial.scene.robot_start.yaw_rad
@@ -83,8 +85,8 @@ class WaveJudge:
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._see = AimedAt(assembly, trial)
         self._periods = 0
-        self._aside: dict[Hand, list[float]] = {hand: [] for hand in HANDS}
-        self._most: dict[Hand, int] = dict.fromkeys(HANDS, 0)
+        self._aside: dict[Hand, list[float]] = {hand: [] for hand in self._see.truth.hands}
+        self._most: dict[Hand, int] = dict.fromkeys(self._see.truth.hands, 0)
         self._facing_rad = math.inf
 
     def on_event(self, event: object) -> None:
@@ -97,7 +99,7 @@ class WaveJudge:
             return
         off = self._see.off_facing_rad()
         aim = self._see.aim()
-        for hand in HANDS:
+        for hand in self._see.truth.hands:
             place, shoulder = self._see.truth.world_T_tcp(hand)[:3, 3], self._see.joint_place(hand, 1)
             if place[2] <= shoulder[2] or off > FACING_RAD:
                 self._aside[hand].clear()
@@ -149,7 +151,7 @@ class PointJudge:
     def on_period(self) -> None:
         """Measure."""
         if self._holding:
-            for hand in HANDS:
+            for hand in self._see.truth.hands:
                 self._worst[hand] = max(self._worst.get(hand, 0.0), self._see.beside_m(hand))
 
     def verdict(self, _results: Sequence[TaskResult]) -> Verdict:
@@ -189,24 +191,26 @@ def wave_trial(rng: np.random.Generator) -> Trial:
     return Trial(scene, (WaveTask(f"wave at {person.name}", person.name),), person.name)
 
 
-def point_trial(rng: np.random.Generator) -> Trial:
+def point_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """A table with things and people behind it; point at one of all."""
-    scene, aim, kind = _room_with_aim("point_at", rng)
+    scene, aim, kind = _room_with_aim("point_at", rng, where)
     slot: dict[str, ObjectDescription | str] = {"person" if kind == "person" else "object": _meant(aim, kind)}
     return Trial(scene, (PointAtTask(f"point at {aim}", **slot),), aim)  # type: ignore[arg-type]
 
 
 def look_trial(rng: np.random.Generator) -> Trial:
     """A table with things and people behind it; look at one of all."""
-    scene, aim, kind = _room_with_aim("look_at", rng)
+    scene, aim, kind = _room_with_aim("look_at", rng, rooms.STANDING)
     slot: dict[str, ObjectDescription | str] = {"person" if kind == "person" else "object": _meant(aim, kind)}
     return Trial(scene, (LookAtTask(f"look at {aim}", **slot),), aim)  # type: ignore[arg-type]
 
 
-def _room_with_aim(name: str, rng: np.random.Generator) -> tuple[SceneDescription, str, str]:
-    table = rooms.table(rng)
-    objects = rooms.things(rng, table, int(rng.integers(1, 5)))
-    crowd = rooms.people(rng, int(rng.integers(0, 3)), [table])
+def _room_with_aim(
+    name: str, rng: np.random.Generator, where: rooms.Workspace
+) -> tuple[SceneDescription, str, str]:
+    table = rooms.table(rng, where)
+    objects = rooms.things(rng, table, int(rng.integers(1, 5)), where=where)
+    crowd = rooms.people(rng, int(rng.integers(0, where.most_people + 1)), [table])
     scene = rooms.room(name, rng, [table], objects, crowd)
     aims = [(thing.name, "object") for thing in objects] + [(person.name, "person") for person in crowd]
     aim, kind = aims[int(rng.integers(len(aims)))]
@@ -225,5 +229,5 @@ def _chosen(crowd: Sequence[Person], rng: np.random.Generator) -> Person:
 
 
 WAVE = SkillSuite(wave_trial, WaveJudge)
-POINT_AT = SkillSuite(point_trial, PointJudge)
+POINT_AT = SkillSuite(point_trial, PointJudge, on_bench=partial(point_trial, where=rooms.BENCH))
 LOOK_AT = SkillSuite(look_trial, LookJudge)

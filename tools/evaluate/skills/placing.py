@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -107,10 +108,10 @@ def turned_rad(box: Box, yaw_rad: float) -> float:
     return abs(math.remainder(yaw_rad, same_rad))
 
 
-def place_trial(rng: np.random.Generator) -> Trial:
+def place_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """A table with two to four things; one of them is put where there is room by the truth."""
-    table = rooms.table(rng)
-    objects = rooms.things(rng, table, int(rng.integers(2, 5)))
+    table = rooms.table(rng, where)
+    objects = rooms.things(rng, table, int(rng.integers(2, 5)), where=where)
     item = objects[0]
     meant = _meant(item)
     kind = None
@@ -141,4 +142,4 @@ def _meant(item: SceneItem) -> ObjectDescription:
     return ObjectDescription(item.kind, item.color)
 
 
-PLACE = SkillSuite(place_trial, PlaceJudge)
+PLACE = SkillSuite(place_trial, PlaceJudge, on_bench=partial(place_trial, where=rooms.BENCH))

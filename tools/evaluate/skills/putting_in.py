@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -31,6 +32,8 @@ class PutInJudge:
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._truth, self._trial = assembly.world.truth, trial
         self._container = next(item for item in trial.scene.objects if item.wall_m is not None)
+        grippers = assembly.model.description.grippers.values()
+        self._fingers = {link for gripper in grippers for link in gripper.links}
         self._stood = self._truth.world_T_object(self._container.name)
         self._others = Bystanders(self._truth, [trial.aim, self._container.name, *trial.given])
 
@@ -52,7 +55,7 @@ class PutInJudge:
             inside = float(np.linalg.norm(local[:2])) <= shape.radius_m
         pushed_m = float(np.linalg.norm((now - self._stood)[:3, 3]))
         moved = self._others.moved()
-        held = any("gripper" in link for link in truth.contacts.of_object(self._trial.aim))
+        held = bool(self._fingers & set(truth.contacts.of_object(self._trial.aim)))
         faults = {
             "beside it": not inside,
             "over its rim": truth.lowest_m(self._trial.aim) > float(now[2, 3]) + 0.5 * shape.height_m,
@@ -65,20 +68,20 @@ class PutInJudge:
         return Verdict(not wrong, {"pushed_m": pushed_m}, "; ".join(wrong))
 
 
-def put_in_trial(rng: np.random.Generator) -> Trial:
+def put_in_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """A table with a container, something that fits in, and perhaps other things."""
-    table = rooms.table(rng)
-    container = container_on(table, rng)
+    table = rooms.table(rng, where)
+    container = container_on(table, rng, where)
     objects = [container]
     for number in range(int(rng.integers(1, 4))):
         kind = ("cup", "can")[int(rng.integers(2))]
-        place = rooms.spot(rng, table, objects, 0.24)
+        place = rooms.spot(rng, table, objects, 0.24, where)
         if place is not None:
-            shape = rooms.shape_of(kind, rng)
+            shape = rooms.shape_of(kind, rng, where)
             color = rooms.COLORS[number]
             objects.append(rooms.item(f"{color} {kind}", kind, color, shape, table, place, rng))
     if len(objects) < 2:
-        return put_in_trial(rng)
+        return put_in_trial(rng, where)
     item = objects[1]
     meant = ObjectDescription(item.kind, item.color)
     words = f"put the {item.name} into the {container.name}"
@@ -89,7 +92,9 @@ def put_in_trial(rng: np.random.Generator) -> Trial:
     return Trial(rooms.room("put_in", rng, [table], objects), tasks, item.name)
 
 
-def container_on(table: Furniture, rng: np.random.Generator) -> SceneItem:
+def container_on(
+    table: Furniture, rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING
+) -> SceneItem:
     """An open box or a bowl on a table."""
     shape: Shape
     if rng.random() < _BOWL_CHANCE:
@@ -100,7 +105,8 @@ def container_on(table: Furniture, rng: np.random.Generator) -> SceneItem:
         x, y, z = (float(value) for value in rng.uniform(*BOX_M))
         shape = Box((x, y, z))
     edge = table.position_m[0] - 0.5 * table.size_m[0]
-    place = (edge + float(rng.uniform(0.16, 0.26)), float(rng.uniform(-0.3, 0.3)))
+    ahead_m = float(rng.uniform(*where.container_ahead_m))
+    place = (edge + ahead_m, float(rng.uniform(-where.container_aside_m, where.container_aside_m)))
     pose = poses.transform(
         poses.rotation_z(float(rng.uniform(-0.5, 0.5)) if kind == "box" else 0.0),
         (*place, table.size_m[2] + 0.5 * shape.height_m),
@@ -109,4 +115,4 @@ def container_on(table: Furniture, rng: np.random.Generator) -> SceneItem:
     return SceneItem(f"{color} {kind}", kind, color, shape, mass, 0.7, pose, WALL_M)
 
 
-PUT_IN = SkillSuite(put_in_trial, PutInJudge)
+PUT_IN = SkillSuite(put_in_trial, PutInJudge, on_bench=partial(put_in_trial, where=rooms.BENCH))

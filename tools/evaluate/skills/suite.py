@@ -87,6 +87,7 @@ class SkillSuite:
         bar: Share of episodes that have to be truly done.
         ends: How the last task is to end; an episode that ends so counts as claimed. "any" leaves it to the
             judge: a question or a no may be what is right.
+        on_bench: Makes an episode before an arm that is bolted down; None where there is none for it.
         unnamed: Makes of an episode the same one where nobody can see what people are called.
     """
 
@@ -95,4 +96,5 @@ class SkillSuite:
     stands: bool = True
     ends: str = "done"
     bar: float = SUCCESS_BAR
+    on_bench: Callable[[np.random.Generator], Trial] | None = None
     unnamed: Callable[[Trial], Trial] | None = None

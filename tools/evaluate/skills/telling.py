@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -71,9 +72,9 @@ class AnswerJudge:
         return Verdict(not why, {"off_m": off_m, "confidence": confidence}, why)
 
 
-def count_trial(rng: np.random.Generator) -> Trial:
+def count_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """Some things, of which several are alike; perception without noise in half of the episodes."""
-    table, objects = _many(rng)
+    table, objects = _many(rng, where)
     alike = objects[int(rng.integers(len(objects)))]
     color = alike.color if rng.random() < 0.5 else None
     kind = alike.kind if rng.random() < 0.9 else "ball"
@@ -83,18 +84,18 @@ def count_trial(rng: np.random.Generator) -> Trial:
     return Trial(scene, (task,))
 
 
-def describe_trial(rng: np.random.Generator) -> Trial:
+def describe_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """Some things on a table; perception without noise in half of the episodes."""
-    table, objects = _many(rng)
+    table, objects = _many(rng, where)
     noise = NO_NOISE if rng.random() < 0.5 else None
     scene = rooms.room("describe", rng, [table], objects, perception=noise)
     return Trial(scene, (DescribeTask("what is on the table", source="table"),))
 
 
-def find_trial(rng: np.random.Generator) -> Trial:
+def find_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """Something on a table, in most episodes right behind something larger."""
-    table = rooms.table(rng)
-    objects = rooms.things(rng, table, 1, ("cup", "can"))
+    table = rooms.table(rng, where)
+    objects = rooms.things(rng, table, 1, ("cup", "can"), where)
     target = objects[0]
     if rng.random() < _HIDDEN_CHANCE:
         hider = _hider(rng, target, table)
@@ -123,19 +124,19 @@ def _hider(rng: np.random.Generator, target: SceneItem, table: Furniture) -> Sce
     return SceneItem(made.name, "box", "brown", size, 1.0, made.friction, pose)
 
 
-def _many(rng: np.random.Generator) -> tuple[Furniture, list[SceneItem]]:
-    table = rooms.table(rng)
+def _many(rng: np.random.Generator, where: rooms.Workspace) -> tuple[Furniture, list[SceneItem]]:
+    table = rooms.table(rng, where)
     objects: list[SceneItem] = []
     looks = [(kind, color) for kind in ("cup", "box", "can") for color in ("red", "blue", "green")]
     for number in range(int(rng.integers(1, 7))):
         kind, color = looks[int(rng.integers(len(looks)))]
-        place = rooms.spot(rng, table, objects, 0.14)
+        place = rooms.spot(rng, table, objects, 0.14, where)
         if place is not None:
-            shape = rooms.shape_of(kind, rng)
-            objects.append(rooms.item(f"thing {number}", kind, color, shape, table, place, rng))
+            shape = rooms.shape_of(kind, rng, where)
+            objects.append(rooms.item(f"{color} {kind} {number + 1}", kind, color, shape, table, place, rng))
     return table, objects
 
 
-FIND = SkillSuite(find_trial, AnswerJudge)
-COUNT = SkillSuite(count_trial, AnswerJudge)
-DESCRIBE = SkillSuite(describe_trial, AnswerJudge)
+FIND = SkillSuite(find_trial, AnswerJudge, on_bench=partial(find_trial, where=rooms.BENCH))
+COUNT = SkillSuite(count_trial, AnswerJudge, on_bench=partial(count_trial, where=rooms.BENCH))
+DESCRIBE = SkillSuite(describe_trial, AnswerJudge, on_bench=partial(describe_trial, where=rooms.BENCH))

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -20,7 +21,8 @@ from robots.scenes.scene_description import SceneDescription
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.opening.scenes import opening_scene
 from tools.evaluate.phases import PhaseWatch
-from tools.evaluate.scenes import SENTENCE, TARGET, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.scenes import SENTENCE, TARGET, bench_pick, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.skills import rooms
 from tools.evaluate.skills.gestures import point_trial, wave_trial
 from tools.evaluate.skills.placing import place_trial
 from tools.evaluate.skills.putting_in_fridge import put_in_fridge_trial
@@ -99,6 +101,15 @@ def _table(seed: int) -> Script:
     return Script(scene, _said(SENTENCE, "go home"))
 
 
+def _bench(seed: int) -> Script:
+    return Script(read_episode_scene(bench_pick(seed), seed), _said(SENTENCE, "go home"))
+
+
+def _bench_drawer(seed: int) -> Script:
+    scene = opening_scene(seed, "open", bench=True)
+    return Script(scene.read(), (OpenTask("open it", ObjectDescription(kind="drawer")),))
+
+
 def _of_trial(trial: Callable[[np.random.Generator], Trial]) -> Callable[[int], Script]:
     def script(seed: int) -> Script:
         made = trial(episode_rng(seed, 10))
@@ -175,11 +186,25 @@ FRIDGE = Course(
     "put into a fridge", _open_fridge, None, (WALK, "place", "reach", "place", WALK, "place", "lift"), GO_HOME
 )
 
+BENCH_PICK = replace(PICK, name="pick on a bench", script=_bench)
+BENCH_PLACING = replace(
+    PLACING, name="place on a bench", script=_of_trial(partial(place_trial, where=rooms.BENCH))
+)
+BENCH_POINTING = replace(
+    GESTURE,
+    name="point on a bench",
+    script=_of_trial(partial(point_trial, where=rooms.BENCH)),
+    wanted=("gesture",) * 3,
+)
+BENCH_OPENING = replace(OPENING, name="open a drawer", script=_bench_drawer)
+BENCH_CYCLE = (BENCH_PICK, BENCH_PLACING, BENCH_OPENING, BENCH_POINTING)
+"""Of an arm that is bolted down."""
+
 CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
 """Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
 than seven of ten."""
 
-COURSES = (*CYCLE, FRIDGE)
+COURSES = (*CYCLE, FRIDGE, *BENCH_CYCLE)
 """All there are. Those outside the cycle run when they are asked for by ``COURSES_BY_NAME``."""
 
 COURSES_BY_NAME = {"put_in_fridge": COURSES.index(FRIDGE)}

@@ -11,7 +11,14 @@ import numpy as np
 from executive.understanding.command_parser import parse
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
-from tools.evaluate.stopping.courses import COURSES, COURSES_BY_NAME, CYCLE, CourseRun, next_after
+from tools.evaluate.stopping.courses import (
+    BENCH_CYCLE,
+    COURSES,
+    COURSES_BY_NAME,
+    CYCLE,
+    CourseRun,
+    next_after,
+)
 from tools.evaluate.stopping.stop_judge import StopJudge
 from tools.evaluate.stopping.stop_record import StopRecord
 from tools.evaluate.stopping.timeline import Moment, choose, record
@@ -42,13 +49,14 @@ class StopOrder:
 
 
 def stop_orders(
-    suite: str, episodes: int, seed: int, robot: str, course_name: str | None = None
+    suite: str, episodes: int, seed: int, robot: str, course_name: str | None = None, bench: bool = False
 ) -> list[StopOrder]:
-    """Runs enough for so many instants; of one course alone, if it is named, else of the cycle."""
+    """Runs enough for so many instants; of one course alone, if it is named, else of a cycle."""
     orders: list[StopOrder] = []
+    cycle = [COURSES.index(course) for course in (BENCH_CYCLE if bench else CYCLE)]
     left = episodes
     while left > 0:
-        course = len(orders) % len(CYCLE) if course_name is None else COURSES_BY_NAME[course_name]
+        course = cycle[len(orders) % len(cycle)] if course_name is None else COURSES_BY_NAME[course_name]
         wanted = COURSES[course].wanted[:left]
         orders.append(StopOrder(seed + len(orders), suite, course, wanted, robot))
         left -= len(wanted)

@@ -8,6 +8,7 @@ from functools import partial
 from rich.console import Console
 
 from tools.evaluate.record_suite import run_record_suite
+from tools.evaluate.scenes import BENCH
 from tools.evaluate.stopping.stop_episode import died, run_stops, stop_orders
 from tools.evaluate.stopping.stop_record import StopRecord, StopSummary
 
@@ -16,7 +17,14 @@ def run_stop_suite(options: argparse.Namespace, messages: Console) -> int:
     """Run it; 0 when every demand is met, 1 when not."""
     return run_record_suite(
         options.suite,
-        stop_orders(options.suite, options.episodes, options.seed, options.robot, options.course),
+        stop_orders(
+            options.suite,
+            options.episodes,
+            options.seed,
+            options.robot,
+            options.course,
+            bench=options.scene == BENCH,
+        ),
         run_stops,
         died,
         partial(StopSummary, options.suite, options.seed),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed, sealed
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import HANDS, CameraDescription
+from kinematics.model.robot_description import CameraDescription
 from kinematics.model.robot_model import RobotModel
 
 
@@ -57,7 +57,7 @@ def middle_of_most(points: Array, eye: Array, within_rad: float) -> Array:
 
 def behind_a_hand(model: RobotModel, q: Array, eye: Array, point: Array, within_m: float) -> bool:
     """Whether the line of sight from ``eye`` to ``point`` passes a TCP nearer than ``within_m``."""
-    frames = [model.description.grippers[hand].tcp_frame for hand in HANDS]
+    frames = list(model.description.tcp_frames.values())
     return any(
         passes(eye, point, world_T_tcp[:3, 3], within_m) for world_T_tcp in model.frame_poses(q, frames)
     )

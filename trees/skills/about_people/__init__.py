@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trees.api import Before, Destination, Skill, as_answered
+from trees.api import Before, Destination, Need, Skill, as_answered
 
 if TYPE_CHECKING:
     from trees.api import Behaviour, Toolbox
@@ -43,6 +43,7 @@ SKILL = Skill(
     tree=_tree,
     example="tell me the name of the person in the kitchen",
     claim=as_answered,
+    needs=frozenset({Need.EYES}),
     before=frozenset({Before.SOURCE_IN_VIEW, Before.PERSON_KNOWN}),
     goes_away=True,
 )

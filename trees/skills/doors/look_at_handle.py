@@ -56,7 +56,7 @@ class LookAtHandle(AimingLeaf):
         q = self.toolbox.motion.reference()
         found = dict(gaze_joints(model, q, place))
         camera, margin = model.description.camera, model.description.planning_margin_rad
-        for joint in (camera.tilt_joint, camera.pan_joint):
+        for joint in camera.neck or ():
             lower, upper = model.description.limits[joint].position
             if joint in found:
                 found[joint] = float(np.clip(found[joint], lower + margin, upper - margin))

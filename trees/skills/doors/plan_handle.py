@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from py_trees.ports import PortInformation
 
+from kinematics.model.robot_description import Hand
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
@@ -49,11 +50,16 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
             path=target.path,
             s_from=target.opening,
             s_to=self._lead_to,
-            hands=target.hands if task.hand is None else (task.hand,),
+            hands=self._hands(target) if task.hand is None else (task.hand,),
             excluded=self.get_input("tried"),
             seed=int(toolbox.rng.integers(2**31)),
             pushed=target.part if target.pushed else "",
         )
+
+    def _hands(self, target: HandleTarget) -> tuple[Hand, ...]:
+        """Those that suit the handle, as far as the robot has them; else those that it has."""
+        has = self.toolbox.model.description.gripping_hands
+        return tuple(hand for hand in target.hands if hand in has) or has
 
     def planned(self, plan: HandlePlan) -> None:
         """Write grasp and steps."""

@@ -32,7 +32,9 @@ def _look_at(_task: LookAtTask, toolbox: Toolbox) -> Behaviour:
 
 
 SKILLS = (
-    Skill(task=WaveTask, tree=_wave, example="wave at Ana", toward="to", needs=frozenset({Need.ARM})),
+    Skill(
+        task=WaveTask, tree=_wave, example="wave at Ana", toward="to", needs=frozenset({Need.ARM, Need.EYES})
+    ),
     Skill(task=PointAtTask, tree=_point_at, example="point at the blue box", needs=frozenset({Need.ARM})),
-    Skill(task=LookAtTask, tree=_look_at, example="look at the red cup"),
+    Skill(task=LookAtTask, tree=_look_at, example="look at the red cup", needs=frozenset({Need.EYES})),
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.ik.arm_frames import pointing_error_m
-from kinematics.model.robot_description import HANDS
 from trees.beliefs.grounding.destination import Place
 from trees.failures import Failure
 from trees.nodes.contract import Contract
@@ -30,8 +29,9 @@ class VerifyPointing(Leaf):
         """The arm that points better counts."""
         toolbox, aim = self.toolbox, self.get_input("place").aim_m
         q = toolbox.sensing.state().q
-        errors_m = {hand: pointing_error_m(toolbox.model, q, hand, aim) for hand in HANDS}
-        hand = min(HANDS, key=lambda one: errors_m[one])
+        hands = toolbox.model.description.hands
+        errors_m = {hand: pointing_error_m(toolbox.model, q, hand, aim) for hand in hands}
+        hand = min(errors_m, key=lambda one: errors_m[one])
         off_m, tolerance_m = errors_m[hand], toolbox.policy.of(GestureSettings).pointing_tolerance_m
         self.measured(hand=hand, off_m=off_m)
         if off_m > tolerance_m:

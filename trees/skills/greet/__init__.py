@@ -46,7 +46,7 @@ SKILL = Skill(
     tree=_tree,
     example="greet Ana",
     claim=_claim,
-    needs=frozenset({Need.ARM}),
+    needs=frozenset({Need.ARM, Need.EYES}),
     before=frozenset({Before.SOURCE_IN_VIEW, Before.PERSON_KNOWN}),
     goes_away=True,
 )

@@ -25,6 +25,6 @@ SKILL = Skill(
     example="give the red cup to Ana",
     verb="give",
     toward="to",
-    needs=frozenset({Need.HAND}),
+    needs=frozenset({Need.HAND, Need.EYES}),
     before=frozenset({Before.THING_AT_HAND, Before.THING_HELD, Before.AT_GOAL}),
 )

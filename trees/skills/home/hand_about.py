@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box
-from kinematics.model.robot_description import HANDS
 from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.scene.held_object import HeldObject
 from trees.toolbox import Toolbox
@@ -29,9 +28,7 @@ def objects_in_open_grasp(toolbox: Toolbox) -> tuple[HeldObject, ...]:
     q = toolbox.motion.reference()
     holding = {body.frame for body in scene.attached.values()}
     found = []
-    for hand in HANDS:
-        if hand not in toolbox.grippers:
-            continue
+    for hand in toolbox.grippers:
         frame = model.description.tcp_frames[hand]
         if frame in holding:
             continue

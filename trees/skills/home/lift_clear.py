@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.support_of import lowest_point_m, supports_of, top_m
@@ -65,7 +65,7 @@ def felt_and_not_known(toolbox: Toolbox) -> Hand | None:
     """
     frames = toolbox.model.description.tcp_frames
     known = {body.frame for body in toolbox.world.scene.attached.values()}
-    hands = (hand for hand in HANDS if hand in toolbox.grippers and frames[hand] not in known)
+    hands = (hand for hand in toolbox.grippers if frames[hand] not in known)
     return next((hand for hand in hands if toolbox.grippers[hand].reading().holding), None)
 
 
@@ -75,7 +75,7 @@ def held_near_support(toolbox: Toolbox) -> tuple[Hand, list[tuple[str, str]]] | 
     if not scene.attached:
         return None
     q = toolbox.motion.reference()
-    for hand in HANDS:
+    for hand in model.description.hands:
         frame = model.description.tcp_frames.get(hand)
         for name, body in sorted(scene.attached.items()):
             if body.frame != frame:

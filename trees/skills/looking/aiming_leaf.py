@@ -35,6 +35,8 @@ class AimingLeaf(PlannedMotionLeaf):
         """A motion of what aims alone, unless it looks there already."""
         toolbox = self.toolbox
         reference, joints = toolbox.motion.reference(), self.joints()
+        if not joints:  # eyes that nothing aims
+            return None
         index = 7 + toolbox.model.indices(tuple(joints))
         off = np.abs(reference[index] - list(joints.values()))
         pelvis_m = self.pelvis_m()

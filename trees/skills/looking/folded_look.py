@@ -9,7 +9,6 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import elbow_frame
-from kinematics.model.robot_description import HANDS
 from kinematics.scene.namespace import reserved_names
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.scene.support_of import support_of, top_m
@@ -39,7 +38,7 @@ def glimpse_of(toolbox: Toolbox, view: View) -> Glimpse:
     model = toolbox.model
     q = toolbox.sensing.state_at(view.frame.stamp_s).q
     parts = []
-    for hand in HANDS:
+    for hand in model.description.hands:
         elbow, tcp = model.frame_poses(q, [elbow_frame(model, hand), model.description.tcp_frames[hand]])
         parts += [tcp[:3, 3], 0.5 * (elbow[:3, 3] + tcp[:3, 3])]
     held = toolbox.world.scene.attached.values()

@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.arrays import Array, Sealed
 from kinematics.geometry.shapes import Box
 from kinematics.ik.gaze import gaze_joints
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import SceneObject
@@ -70,7 +70,7 @@ def unseen_below(toolbox: Toolbox, trajectory: Trajectory) -> UnseenPlaces:
     """
     scene = toolbox.world.scene
     tops = [item for item in scene.objects.values() if not item.movable and isinstance(item.shape, Box)]
-    ways = [_way_of(toolbox, trajectory, hand) for hand in HANDS]
+    ways = [_way_of(toolbox, trajectory, hand) for hand in toolbox.model.description.hands]
     moved = [way for way in ways if float(np.abs(way - way[0]).max()) > _MOVED_M]
     places = [place for way in moved for top in tops for place in _about(way[way[:, 2] > top_m(top)], top)]
     return _unseen(toolbox, places)

@@ -56,9 +56,7 @@ class LookAt(AimingLeaf):
 def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
     """Positions of the joints that aim the camera, inside their limits, rad."""
     camera, margin = description.camera, description.planning_margin_rad
-    wanted = {camera.tilt_joint: gaze.tilt_rad, camera.pan_joint: gaze.pan_rad}
-    if camera.lean_joint is not None:
-        wanted[camera.lean_joint] = gaze.lean_rad
+    wanted = camera.aimed(gaze.pan_rad, gaze.tilt_rad, gaze.lean_rad)
     turning = turning_joint(description)
     if turning is not None:
         wanted[turning] = gaze.turn_rad

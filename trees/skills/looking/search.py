@@ -7,7 +7,6 @@ from dataclasses import replace
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from kinematics.model.robot_description import HANDS
 from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
@@ -27,11 +26,16 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     When several things fit, or the description compares them, or a part of what the only one stands on is out
     of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
     picture counts as well. What those looks have lost is looked for ahead once more. What is seen unsurely is
-    looked at closer, then by all gazes, and in the end a person is asked whether it is the one.
+    looked at closer, then by all gazes, and in the end a person is asked whether it is the one. Eyes that
+    nothing aims look once, and once more before a choice is made.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
     first, upright = replace(upright, lean_rad=policy.first_lean_rad), replace(upright, name="far ahead")
+    if toolbox.model.description.camera.fixed:
+        looks = [_look(first, toolbox, "first"), _look(survey[-1], toolbox, "last")]
+        looks.append(_look_at_it("before asking", toolbox, "asking"))
+        return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
     looks = [_look(gaze, toolbox, "first") for gaze in (first, *others, upright, policy.last_gaze)]
     looks.insert(1, _look_at_it("closer", toolbox, "closer"))
     looks += [_look(gaze, toolbox, "side") for gaze in survey[:-1]]
@@ -75,7 +79,7 @@ def unless_at_home(way: Behaviour, _failure: Failure | None) -> bool:
 def _arms_at_home(toolbox: Toolbox) -> bool:
     model = toolbox.model
     groups = model.description.groups
-    arms = {joint for hand in HANDS for joint in groups[f"{hand}_arm"]}
+    arms = {joint for hand in model.description.arms for joint in groups[f"{hand}_arm"]}
     off = toolbox.motion.reference()[7:] - model.q_home[7:]
     return all(abs(float(off[i])) <= _HOME_RAD for i, name in enumerate(model.joints) if name in arms)
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _MEASURED = (
     ("gripper_opening_m", 1000.0, "opening {:.0f} mm"),
     ("effort_nm", 1.0, "effort {:.1f} Nm"),
+    ("effort_n", 1.0, "effort {:.1f} N"),
     ("lift_m", 1.0, "lifted {:.2f} m"),
 )
 """What is told of the evidence: its name, what it is multiplied by, and how it reads."""

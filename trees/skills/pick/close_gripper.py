@@ -40,5 +40,5 @@ class CloseGripper(MotionLeaf):
         """Tell what the gripper feels."""
         grasp: Grasp = self.get_input("grasp")
         reading = self.toolbox.grippers[grasp.hand].reading()
-        self.feedback_message = f"{reading.opening_m * 1000:.0f} mm, {reading.effort_nm:.1f} Nm"
+        self.feedback_message = str(reading)
         return DONE

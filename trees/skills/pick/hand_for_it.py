@@ -85,7 +85,7 @@ class HandForIt(Leaf):
         evidence: dict[str, Number] = {
             "hand": held.hand,
             "gripper_opening_m": reading.opening_m,
-            "effort_nm": reading.effort_nm,
+            **reading.effort,
             "already_held": True,
         }
         self._set_output("in_hand", True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.ports import PortInformation
 
-from kinematics.model.robot_description import HANDS, Hand
+from kinematics.model.robot_description import Hand
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.pick import PickPlan, PickRequest
 from trees.failures import Failure, Reason
@@ -43,7 +43,7 @@ class PlanPick(PlanningLeaf[PickPlan]):
             stance=toolbox.motion.stance(),
             scene=toolbox.world.scene,
             target=name,
-            hands=hands_to_try(task.hand, tried, self._occupied()),
+            hands=hands_to_try(task.hand, tried, self._occupied(), toolbox.model.description.gripping_hands),
             excluded=tried,
             lift_m=toolbox.policy.lift_m,
             seed=int(toolbox.rng.integers(2**31)),
@@ -53,7 +53,7 @@ class PlanPick(PlanningLeaf[PickPlan]):
         """Hands that hold something, as the world model has it."""
         frames = {body.frame for body in self.toolbox.world.scene.attached.values()}
         grippers = self.toolbox.model.description.grippers
-        return frozenset(hand for hand in HANDS if grippers[hand].tcp_frame in frames)
+        return frozenset(hand for hand, gripper in grippers.items() if gripper.tcp_frame in frames)
 
     def planned(self, plan: PickPlan) -> None:
         """Write grasp and steps."""
@@ -66,7 +66,7 @@ class PlanPick(PlanningLeaf[PickPlan]):
 
 
 def hands_to_try(
-    named: Hand | None, tried: frozenset[str], occupied: frozenset[Hand] = frozenset()
+    named: Hand | None, tried: frozenset[str], occupied: frozenset[Hand], hands: tuple[Hand, ...]
 ) -> tuple[Hand, ...]:
     """Which hands the planner may use.
 
@@ -74,10 +74,11 @@ def hands_to_try(
         named: The hand that the task asks for, or None.
         tried: Grasps that were tried in vain, as "hand label".
         occupied: Hands that hold something already; they are left alone as long as another is free.
+        hands: Those that the robot has.
     """
     if named is not None:
         return (named,)
-    free = tuple(hand for hand in HANDS if hand not in occupied) or HANDS
+    free = tuple(hand for hand in hands if hand not in occupied) or hands
     failed = {hand: sum(key.startswith(f"{hand} ") for key in tried) for hand in free}
     rested = tuple(hand for hand in free if failed[hand] < _GRASPS_A_HAND)
     return rested or free

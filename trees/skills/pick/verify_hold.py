@@ -25,9 +25,9 @@ def grip_failure(reading: GripperReading, grasp: Grasp, opening_tolerance_m: flo
     "Holding" alone says that something resists; the opening says whether it has the size of the object.
     """
     if not reading.holding:
-        return Failure.postcondition(
-            "nothing between the fingers", opening_m=reading.opening_m, effort_nm=reading.effort_nm
-        ).because(Reason.CLOSED_ON_NOTHING)
+        return Failure.postcondition("nothing between the fingers", cause=None, **reading.felt).because(
+            Reason.CLOSED_ON_NOTHING
+        )
     if abs(reading.opening_m - grasp.diameter_m) > opening_tolerance_m:
         return Failure.postcondition(
             "something of another size is between the fingers",
@@ -65,8 +65,8 @@ class VerifyHold(Leaf):
         target: Target | None = self.optional("target")
         grasp = expected_grasp(self.toolbox.world, self.get_input("grasp"), target)
         reading = self.toolbox.grippers[grasp.hand].reading()
-        self.measured(opening_m=reading.opening_m, effort_nm=reading.effort_nm, holding=reading.holding)
-        self.feedback_message = f"holding, {reading.opening_m * 1000:.0f} mm, {reading.effort_nm:.1f} Nm"
+        self.measured(**reading.felt, holding=reading.holding)
+        self.feedback_message = f"holding, {reading}"
         failure = grip_failure(reading, grasp, self.toolbox.policy.of(PickSettings).opening_tolerance_m)
         if target is not None and (failure is None or failure.reason is Reason.FELT_OTHER_SIZE):
             self._compare(target, grasp, reading, failure)

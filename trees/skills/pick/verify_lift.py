@@ -213,7 +213,7 @@ class VerifyLift(GatheringLeaf):
         evidence: dict[str, Number] = {
             "hand": grasp.hand,
             "gripper_opening_m": reading.opening_m,
-            "effort_nm": reading.effort_nm,
+            **reading.effort,
             "held_s": self.elapsed_s,
             "mass_kg": mass_kg,
             "seen": bool(seen),

@@ -99,4 +99,10 @@ def test_an_answer_to_another_question_is_a_defect(knowing, target):
     ],
 )
 def test_a_hand_that_failed_twice_leaves_its_turn_to_the_other(named, tried, hands):
-    assert set(hands_to_try(named, frozenset(tried))) == hands
+    assert set(hands_to_try(named, frozenset(tried), frozenset(), ("left", "right"))) == hands
+
+
+def test_a_robot_with_one_hand_tries_it_again():
+    tried = frozenset({"right side", "right top"})
+
+    assert hands_to_try(None, tried, frozenset({"right"}), ("right",)) == ("right",)

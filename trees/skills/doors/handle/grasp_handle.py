@@ -92,19 +92,18 @@ class GraspHandle(YieldingLeaf):
         reading = self.toolbox.grippers[grasp.hand].reading()
         report = self.led.report
         self.measured(
-            opening_m=reading.opening_m,
-            effort_nm=reading.effort_nm,
+            **reading.felt,
             holding=reading.holding,
             peak_force_n=report.peak_force_n,
         )
         if not reading.holding:
             return Failure.postcondition(
                 "the fingers closed beside the handle",
-                opening_m=reading.opening_m,
-                effort_nm=reading.effort_nm,
+                cause=None,
+                **reading.felt,
             )
         place = tcp_m(self.toolbox, grasp, self.toolbox.motion.reference())
         path = target.path.through(place, target.opening)
         self._set_output("held", HeldHandle(target, grasp, path, report.bias))
-        self.feedback_message = f"holding, {reading.opening_m * 1000:.0f} mm, {reading.effort_nm:.1f} Nm"
+        self.feedback_message = f"holding, {reading}"
         return DONE
