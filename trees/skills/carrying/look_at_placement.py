@@ -9,6 +9,9 @@ from trees.port_values import Placement
 from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_that_show
 
+_HALF_HEIGHT_M = 0.12
+"""Of the tallest things that a hand puts down."""
+
 
 class LookAtPlacement(AimingLeaf):
     """Turn the eyes so that the place where the object was put is in the middle of the picture.
@@ -23,4 +26,4 @@ class LookAtPlacement(AimingLeaf):
     def joints(self) -> Mapping[str, float]:
         """The goal of the head's joints, and of the trunk's if need be, rad."""
         place = self.get_input("placement").odom_T_object[:3, 3]
-        return joints_that_show(self.toolbox, place)
+        return joints_that_show(self.toolbox, place, _HALF_HEIGHT_M)

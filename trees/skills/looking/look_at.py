@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from kinematics.arrays import Array
 from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
 from kinematics.ik.gaze import gaze_joints
@@ -73,8 +75,15 @@ def turning_joint(description: RobotDescription) -> str | None:
     return next((joint for joint in torso if joint != lean), None)
 
 
-def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
-    """How the head looks at a point in odom, shape (3,), with the trunk where it takes that, rad."""
+def joints_that_show(toolbox: Toolbox, point: Array, clear_m: float = 0.0) -> Mapping[str, float]:
+    """How the head looks at a point in odom, shape (3,), with the trunk where it takes that, rad.
+
+    Args:
+        toolbox: Knows the robot.
+        point: The point.
+        clear_m: How far above it there is something to be seen. The trunk leans over nothing that would then
+            be nearer than the camera tells depths of.
+    """
     model, q = toolbox.model, toolbox.motion.reference()
     camera = model.description.camera
     head = gaze_joints(model, q, point)
@@ -85,7 +94,14 @@ def joints_that_show(toolbox: Toolbox, point: Array) -> Mapping[str, float]:
     if off_axis_rad(model, looking, point) <= seen_rad:
         return head
     gaze = body_gaze(model, q, point, turning_joint(model.description), seen_rad)
-    return head if gaze is None else gaze.joints
+    if gaze is None:
+        return head
+    leaning = q.copy()
+    for joint, angle in gaze.joints.items():
+        leaning[7 + model.joint_index(joint)] = angle
+    eye = model.frame_pose(leaning, camera.frame)
+    depth_m = float(eye[:3, 2] @ (point + clear_m * np.array([0.0, 0.0, 1.0]) - eye[:3, 3]))
+    return head if clear_m > 0.0 and depth_m < camera.range_m[0] else gaze.joints
 
 
 class LookAtTarget(AimingLeaf):

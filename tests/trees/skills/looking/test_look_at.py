@@ -213,3 +213,15 @@ def test_where_everything_was_seen_the_eyes_stay(stage):
 
     assert stage.run(LookAtUnseen("look", stage.toolbox), unseen=unseen) is Status.SUCCESS
     assert len(stage.fake.motion.started) == started
+
+
+@pytest.mark.requirement("P2")
+def test_the_trunk_does_not_lean_over_what_would_be_too_near_to_the_eyes(stage):
+    at_the_near_edge = np.array([0.40, -0.06, 1.03])
+
+    leans = joints_that_show(stage.toolbox, at_the_near_edge)
+    stays = joints_that_show(stage.toolbox, at_the_near_edge, clear_m=0.12)
+
+    assert leans["torso_2_joint"] > 0.1
+    assert "torso_2_joint" not in stays
+    assert "torso_2_joint" in joints_that_show(stage.toolbox, np.array([0.40, -0.06, 0.8]), clear_m=0.12)
