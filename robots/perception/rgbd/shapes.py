@@ -28,6 +28,8 @@ _ROOM_M, _WITHIN_SHARE = 0.005, 0.7
 _HOLDS_M = 0.05
 Form = Literal["cylinder", "beaker", "box", "crate", "ball"]
 """A beaker is a cylinder that is open at the top, a crate a box that is."""
+_WALL_M = 0.004
+"""What is so deep in a bowl is of its inside."""
 _BOWL_ODDS = 4.0
 """Logarithm of the odds that what is deep along its wall is open."""
 _HOLLOW_SHARE = 0.10
@@ -152,7 +154,8 @@ def _without_inside_of_bowls(cloud: Cloud, samples: Samples, rounds: Fit) -> tup
     if not bowl.any():
         return rounds, bowl
     on, _ = cylinder_distance(samples.points, rounds.parameters, False)
-    outside = np.where(bowl[:, None], samples.weight * ~(on < -DEEP_M), samples.weight)
+    inside = on < -np.maximum(_WALL_M, 3.0 * samples.sigma_m)
+    outside = np.where(bowl[:, None], samples.weight * ~inside, samples.weight)
     again = fit(replace(samples, weight=outside), rounds.parameters, cylinder_distance, slice(2, 4))
     return _where(bowl, again, rounds), bowl
 

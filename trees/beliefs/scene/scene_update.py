@@ -184,6 +184,10 @@ def _width_m(shape: Shape) -> float:
     return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
 
 
+def _length_m(shape: Shape) -> float:
+    return max(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
+
+
 def _match(
     known: Mapping[str, SceneObject], fresh: list[ObjectEstimate], within_m: float
 ) -> dict[str, ObjectEstimate]:
@@ -205,9 +209,13 @@ def _match(
 
 
 def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
-    """Whether two things, there and here, would reach into each other: so it is one, seen wrongly."""
+    """Whether two things, there and here, would reach into each other: so it is one, seen wrongly.
+
+    What is seen unsurely, half of it beyond the edge of the picture, is no second one where it may reach.
+    """
     away = item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]
-    least_m = 0.5 * _OVERLAP * (_width_m(item.shape) + _width_m(estimate.shape))
+    width_m = _width_m if estimate.confidence >= SURE else _length_m
+    least_m = 0.5 * _OVERLAP * (width_m(item.shape) + width_m(estimate.shape))
     stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
     return not stacked and float(np.hypot(away[0], away[1])) < least_m
 

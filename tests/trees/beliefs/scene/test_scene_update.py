@@ -257,6 +257,19 @@ def test_a_wide_box_that_is_seen_to_be_elsewhere_within_itself_is_one_box():
     assert set(scene.objects) == {"brown box"}
 
 
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("confidence", "count"), [(0.5, 1), (0.95, 2)])
+def test_the_other_half_of_a_box_that_is_seen_unsurely_is_no_second_box(confidence, count):
+    left = seen("box", "brown", at=(0.54, 0.07, 0.94), shape=Box((0.20, 0.10, 0.07)))
+    right = seen("box", "brown", at=(0.54, -0.04, 0.94), shape=Box((0.17, 0.09, 0.07)))
+    before = look(PlanningScene(), replace(left, confidence=0.3)).scene
+
+    half = replace(right, confidence=confidence)
+    scene = look(before, half, unseen=lambda item: True, may_have_moved=False).scene
+
+    assert len(scene.objects) == count
+
+
 def test_boxes_on_top_of_each_other_are_two():
     low = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.17, 0.09)))
     high = seen("box", "brown", at=(0.5, 0.0, 1.03), shape=Box((0.17, 0.17, 0.09)))
