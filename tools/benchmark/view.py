@@ -44,13 +44,13 @@ _WITHIN_S, _LOOK_S = 240.0, 0.005
 _PHASE_S = 5.0
 _SCRUBBED_S, _STEP_S = 3.0, 0.1
 _COUNT_MOMENTS = r"""() => {
-    window.moments = new Set();
+    window.moments = 0;
     new MutationObserver(() => {
         const told = document.body.textContent.match(/in \w+\s+([0-9.]+) s/);
-        if (told) window.moments.add(told[1]);
+        if (told && told[1] !== window.told) { window.told = told[1]; window.moments++; }
     }).observe(document.body, {subtree: true, childList: true, characterData: true});
 }"""
-"""Counts the times that the status of the page has told, each once: so many were shown."""
+"""Counts how often the time that the status of the page tells has changed: so many moments were shown."""
 _TICKS = os.sysconf("SC_CLK_TCK")
 _MINUTES = 3.0
 
@@ -242,13 +242,13 @@ def _scrubbing(chromium: Browser, folder: Path, wall: WallClock, seconds: float)
     thread.start()
     rates = []
     for _ in range(4):
-        page.evaluate("window.moments = new Set()")
+        page.evaluate("window.moments = 0")
         began_s, steps = wall.now_s(), 0
         while (passed_s := wall.now_s() - began_s) < _SCRUBBED_S:
             timeline.go_to(_STEP_S * steps % recording.ends_s)
             steps += 1
             wall.sleep(_LOOK_S)
-        rates.append(float(page.evaluate("window.moments.size")) / passed_s)
+        rates.append(float(page.evaluate("window.moments")) / passed_s)
     over.set()
     thread.join()
     page.close()
