@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import numpy as np
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from executive.doors.recorder.feed import RunFeed
@@ -35,7 +34,7 @@ from executive.scripts.task_script import script_for
 from executive.trust import USUAL_TRUST
 from robots.clock import WallClock
 from robots.live.wire.errors import LiveError
-from robots.live.wire.messages import Reset, write_control_message
+from robots.live.wire.messages import GetStatus, Reset, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
 from tools.benchmark.figures import Figure, figure
 
@@ -43,6 +42,15 @@ _ROBOT, _SCENE = "talos", "tabletop"
 _ARGUMENTS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 _WITHIN_S, _LOOK_S = 240.0, 0.005
 _PHASE_S = 5.0
+_SCRUBBED_S, _STEP_S = 3.0, 0.1
+_COUNT_MOMENTS = r"""() => {
+    window.moments = 0;
+    new MutationObserver(() => {
+        const told = document.body.textContent.match(/in \w+\s+([0-9.]+) s/);
+        if (told && told[1] !== window.told) { window.told = told[1]; window.moments++; }
+    }).observe(document.body, {subtree: true, childList: true, characterData: true});
+}"""
+"""Counts how often the time that the status of the page tells has changed: so many moments were shown."""
 _TICKS = os.sysconf("SC_CLK_TCK")
 _MINUTES = 3.0
 
@@ -138,14 +146,18 @@ def _page_s(chromium: Browser, address: str, wall: WallClock) -> float:
 def _stops(chromium: Browser, address: str, where: RuntimeFolder, wall: WallClock, times: int) -> list[float]:
     """Wall time in ms from a press of STOP until the control process has it."""
     page, took = _opened(chromium, address), []
-    robot = ServedRobot(where.path)
+
+    def engaged() -> bool:
+        told = ask_at(where.control_socket, write_control_message(GetStatus()))
+        return told["emergency"] is not None
+
     for _ in range(times):
         began_s = wall.now_s()
         page.keyboard.press("Alt+s")
-        _wait(lambda: robot.status()["emergency"] is not None, wall)
+        _wait(engaged, wall)
         took.append(1e3 * (wall.now_s() - began_s))
         ask_at(where.control_socket, write_control_message(Reset("a measurement")))
-        _wait(lambda: robot.status()["emergency"] is None, wall)
+        _wait(lambda: not engaged(), wall)
         wall.sleep(0.5)
     page.close()
     return took
@@ -211,7 +223,7 @@ def _processor_s(pid: int) -> float:
 
 
 def _scrubbing(chromium: Browser, folder: Path, wall: WallClock, seconds: float) -> Figure:
-    """Moments of a recorded run that are drawn in a second of wall time while it is scrubbed."""
+    """Moments of a recorded run that a browser shows in a second of wall time while it is scrubbed."""
     runs, text = folder / "recorded", f"wait for {seconds:.0f} seconds"
     feed = RunFeed(NoDisplay(), print)
     said = script_for(text, USUAL_TRUST, _SCENE)
@@ -225,13 +237,20 @@ def _scrubbing(chromium: Browser, folder: Path, wall: WallClock, seconds: float)
     page = chromium.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"http://127.0.0.1:{server.port}/")
     page.locator("canvas[data-engine]").wait_for()
+    page.evaluate(_COUNT_MOMENTS)
+    thread = threading.Thread(target=timeline.run)
+    thread.start()
     rates = []
-    for start_s in np.linspace(0.0, 0.8 * recording.ends_s, 8):
-        began_s, drawn = wall.now_s(), 0
-        while wall.now_s() - began_s < 1.0:
-            timeline.draw(float(start_s) + 0.05 * drawn)
-            drawn += 1
-        rates.append(drawn / (wall.now_s() - began_s))
+    for _ in range(4):
+        page.evaluate("window.moments = 0")
+        began_s, steps = wall.now_s(), 0
+        while (passed_s := wall.now_s() - began_s) < _SCRUBBED_S:
+            timeline.go_to(_STEP_S * steps % recording.ends_s)
+            steps += 1
+            wall.sleep(_LOOK_S)
+        rates.append(float(page.evaluate("window.moments")) / passed_s)
+    over.set()
+    thread.join()
     page.close()
     server.close()
-    return figure("moments scrubbed a second", rates)
+    return figure("moments shown a second while scrubbed", rates)

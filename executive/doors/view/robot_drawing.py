@@ -93,8 +93,7 @@ class RobotDrawing:
         self._solids: dict[str, list[tuple[viser.MeshHandle, tuple[int, int, int]]]] = {}
         for number, mesh in enumerate(link_meshes(description.urdf)):
             name = f"{self._frames.paths.get(mesh.link, ROOT)}/solid_{number}"
-            red, green, blue = (max(one, _DARKEST) for one in mesh.rgb)
-            rgb = red, green, blue
+            rgb = lightened(mesh.rgb)
             handle = scene.add_mesh_simple(
                 name, mesh.vertices, mesh.faces, color=rgb, flat_shading=True, side="double"
             )
@@ -118,6 +117,13 @@ class RobotDrawing:
             for handle, rgb in self._solids[link]:
                 handle.color = REFUSED if link in marked else rgb
         self._refused = marked
+
+
+def lightened(rgb: tuple[int, int, int]) -> tuple[int, int, int]:
+    """A colour as it is drawn: one that would not be seen on a dark page is made lighter, all others stay."""
+    missing = max(_DARKEST - max(rgb), 0)
+    red, green, blue = (one + missing for one in rgb)
+    return red, green, blue
 
 
 def _wxyz(xyzw: Floats) -> Floats:

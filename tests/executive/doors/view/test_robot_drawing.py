@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from executive.doors.view.robot_drawing import ROOT, MovingFrames
+from executive.doors.view.robot_drawing import ROOT, MovingFrames, lightened
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
@@ -76,3 +76,8 @@ def test_what_trembles_is_not_drawn_again_but_a_slow_drift_is(model, frames):
         drawn += list(frames.moved(joints, base))
 
     assert 1 <= len(drawn) <= 5
+
+
+def test_black_is_made_lighter_and_colours_stay():
+    assert min(lightened((0, 0, 0))) > 80
+    assert lightened((250, 120, 0)) == (250, 120, 0)
