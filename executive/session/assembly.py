@@ -87,6 +87,7 @@ def assemble(
     identity: Identity | None = None,
     calendar: Calendar | None = None,
     labelling: Labelling = BY_SHAPE,
+    drawn: bool = True,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -107,6 +108,7 @@ def assemble(
         identity: What the robot says of itself; nothing when left out.
         calendar: What day and time it is; when left out the usual beginning of a simulated day.
         labelling: Who is asked, of the camera's pictures, what things are called.
+        drawn: Whether pictures may be taken of the robot; a world without is a third as large.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -121,7 +123,7 @@ def assemble(
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
-    world = build_world(RobotData(description, data.hardware), scene, chance.world)
+    world = build_world(RobotData(description, data.hardware), scene, chance.world, drawn=drawn)
 
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = simulated_perception(
