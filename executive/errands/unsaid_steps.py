@@ -200,6 +200,8 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
     if not handles(command) or command.count != 1 or known.in_hand(command):
         return
     thing, source = command.object, command.source
+    if isinstance(thing, ObjectOf) and takes(command) and _was_only_seen(thing, commands[:index]):
+        yield Prepared(walk("come within reach of it", thing))
     if not isinstance(thing, ObjectDescription):
         return
     before = commands[index - 1] if index > 0 else None
@@ -216,6 +218,14 @@ def _fetching(index: int, commands: Sequence[Command], known: Known) -> Iterator
         said = f"pick up the {thing}"
         pick = task_that(After.THING_HELD, said, object=thing, source=source, hand=command.hand)
         yield Prepared(pick, finds_for=index)
+
+
+def _was_only_seen(thing: ObjectOf, before: Sequence[Command]) -> bool:
+    """Whether no hand had what an earlier command was about: "find the cup and take it"."""
+    if not 0 <= thing.task < len(before):
+        return False
+    command = before[thing.task]
+    return isinstance(getattr(command, "object", None), ObjectDescription) and not handles(command)
 
 
 def _at_its_source(thing: ObjectDescription, source: Destination | None) -> ObjectDescription:

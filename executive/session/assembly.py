@@ -89,6 +89,7 @@ def assemble(
     calendar: Calendar | None = None,
     labelling: Labelling = BY_SHAPE,
     picture_slot: Path | None = None,
+    drawn: bool = True,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -111,6 +112,7 @@ def assemble(
         labelling: Who is asked, of the camera's pictures, what things are called.
         picture_slot: Where the newest picture of the robot's own camera is shown to who wants it; None for
             nowhere.
+        drawn: Whether pictures may be taken of the robot; a world without is a third as large.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -125,7 +127,7 @@ def assemble(
         description = replace(description, home={**description.home, **posture})
     model = RobotModel(description)
     clock = ManualClock()
-    world = build_world(RobotData(description, data.hardware), scene, chance.world)
+    world = build_world(RobotData(description, data.hardware), scene, chance.world, drawn=drawn)
 
     loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
     perception = simulated_perception(

@@ -243,15 +243,15 @@ def told_names(name: str, kind: str, names: Iterable[str]) -> tuple[str, ...]:
     """The names that a detector which knows the thing tells, the usual one first.
 
     A scene's own name for a thing counts, if it says more than colour, kind and a number: "tomato soup", and
-    not "red can 2".
+    not "red can 2". A colour alone is a noun there: "orange".
 
     Args:
         name: As the scene has it.
         kind: "can".
         names: What the scene says that it is called besides.
     """
-    words = [word for word in name.casefold().rstrip("0123456789 ").split() if word not in COLORS]
-    own = " ".join(words)
+    said = name.casefold().rstrip("0123456789 ").split()
+    own = " ".join([word for word in said if word not in COLORS] or said)  # an orange is orange
     given = tuple(" ".join(one.split()) for one in names)
     if not own or own == kind.casefold() or own in {one.casefold() for one in given}:
         return given

@@ -43,19 +43,23 @@ class SimulatedWorld:
     walkers: WalkingPeople
 
 
-def build_world(robot: RobotData, scene: SceneDescription, rng: np.random.Generator) -> SimulatedWorld:
+def build_world(
+    robot: RobotData, scene: SceneDescription, rng: np.random.Generator, *, drawn: bool = True
+) -> SimulatedWorld:
     """Build a world with the robot standing at the scene's ``robot_start`` in its home posture.
 
     Args:
         description: The robot.
         scene: Everything else; ``robots.scenes.scene_rules.validate`` has judged it.
         rng: Source of the sensors' noise; used by nothing else.
+        drawn: Whether pictures may be taken in it; a camera of the scene takes them anyhow.
 
     Raises:
         SceneError: The robot would start in contact with something, or the simulator refuses the scene.
         DescriptionError: The URDF lacks what the description names.
     """
-    physics = Physics(robot, scene)
+    seen = scene.perception.kind != "stub" or bool(scene.cameras)
+    physics = Physics(robot, scene, drawn=drawn or seen)
     truth = SimulatorTruth(physics)
     faults = FaultInjector(physics, truth)
     ranging = SimulatedRangeSensor(physics, rng.spawn(1)[0])

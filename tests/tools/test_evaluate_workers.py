@@ -1,7 +1,9 @@
 """Episodes run beside each other, are kept as they end, and one that dies takes no other with it."""
 
+import contextlib
 import json
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -149,3 +151,52 @@ def test_a_phase_is_remembered_by_its_first_beginning():
 
     assert watch.began_s("stream reach") == 1.0
     assert watch.began_s("stream lift") is None
+
+
+KILLED = """
+import sys
+from pathlib import Path
+from tests.tools.test_evaluate_workers import slowly
+from tools.evaluate.harness.execution import Execution, run_each
+from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.records import dead_episode
+
+if __name__ == "__main__":
+    orders = [EpisodeOrder(seed) for seed in range(200)]
+    for _ in run_each(orders, Execution("x", 2, Path(sys.argv[1])), slowly, dead_episode):
+        pass
+"""
+
+
+def slowly(order: EpisodeOrder) -> EpisodeRecord:
+    time.sleep(0.01)
+    return fine(order)
+
+
+@pytest.mark.minutes
+@pytest.mark.timeout(600)
+def test_a_run_that_is_killed_at_twenty_instants_loses_no_episode_and_doubles_none(tmp_path):
+    program, kept = tmp_path / "program.py", tmp_path / "kept.jsonl"
+    program.write_text(KILLED)
+    command = [sys.executable, str(program), str(kept)]
+    rng = random.Random(0)
+    for _ in range(20):
+        there = len(whole_lines(kept))
+        with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}) as process:
+            while process.poll() is None and len(whole_lines(kept)) == there:
+                time.sleep(0.002)
+            time.sleep(rng.uniform(0.0, 0.1))  # in the middle of whatever it is at
+            process.kill()
+
+    subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}, check=True)
+
+    assert sorted(line["order"]["seed"] for line in whole_lines(kept)) == list(range(200))
+
+
+def whole_lines(file):
+    """What can be read of a journal that is being written."""
+    found = []
+    for line in file.read_text().splitlines() if file.exists() else ():
+        with contextlib.suppress(json.JSONDecodeError):
+            found.append(json.loads(line))
+    return found

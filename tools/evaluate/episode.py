@@ -37,7 +37,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     if order.fault in CAMERA_FAULTS:
         scene = with_camera_fault(scene, order.fault, TARGET, episode_rng(order.seed, 3))
     phases = PhaseWatch()
-    assembly = assemble(order.robot, scene, order.seed, sink=phases.take)
+    assembly = assemble(order.robot, scene, order.seed, sink=phases.take, drawn=False)
     truth, session = assembly.world.truth, assembly.session
     judge = Judge(truth, TARGET)
     session.watch_periods(judge.on_period)

@@ -41,7 +41,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     true_kg = float(episode_rng(order.seed, 9).uniform(*MASS_KG))
     things = tuple(replace(item, mass_kg=true_kg) if item.name == TARGET else item for item in scene.objects)
     scene = replace(scene, objects=things)
-    assembly = assemble(order.robot, scene, order.seed)
+    assembly = assemble(order.robot, scene, order.seed, drawn=False)
     session = assembly.session
     judge = Judge(assembly.world.truth, TARGET)
     session.watch_periods(judge.on_period)

@@ -138,7 +138,7 @@ def run_question_episode(order: EpisodeOrder) -> EpisodeRecord:
 
 def _run(order: EpisodeOrder) -> EpisodeRecord:
     trial = ambiguous_trial(order.seed)
-    assembly = assemble(order.robot, trial.scene, order.seed)
+    assembly = assemble(order.robot, trial.scene, order.seed, drawn=False)
     session, truth = assembly.session, assembly.world.truth
     session.hold(0.2)
     answerer = _Answerer(assembly, trial)

@@ -45,8 +45,12 @@ _UNREAD = ".dae"
 """Drawings of this kind MuJoCo does not read."""
 
 
-def robot_spec(robot: RobotData) -> mujoco.MjSpec:
+def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
     """Build the robot alone, with position servos and sensors: in the air, or welded to the world.
+
+    Args:
+        robot: Its data.
+        drawn: Whether pictures may be taken of it: meshes that are for these alone are the most of it.
 
     Raises:
         DescriptionError: The URDF lacks a link or joint that the description names.
@@ -69,6 +73,8 @@ def robot_spec(robot: RobotData) -> mujoco.MjSpec:
     if not description.welded:
         body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
     _assign_roles(spec, description)
+    if not drawn:
+        _leave_out_what_is_only_drawn(spec)
     _tune_joints(spec, description)
     for sole in description.soles:
         _add_sole(spec, sole)
@@ -146,6 +152,17 @@ def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         geom.group = UNSEEN_GROUP if link in fingers or link in head else HULL_GROUP
         geom.priority = HULL_PRIORITY
         geom.friction = (HULL_FRICTION, 0.005, 0.0001)
+
+
+def _leave_out_what_is_only_drawn(spec: mujoco.MjSpec) -> None:
+    """Take away what only pictures show; drawn fingers stay, since they stand in lines of sight."""
+    for geom in list(spec.geoms):
+        if geom.group == DRAWN_GROUP:
+            spec.delete(geom)
+    used = {geom.meshname for geom in spec.geoms}
+    for mesh in list(spec.meshes):
+        if mesh.name not in used:
+            spec.delete(mesh)
 
 
 def _rigidly_with(spec: mujoco.MjSpec, frame: str) -> frozenset[str]:

@@ -18,6 +18,7 @@ from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
 from robots.simulated.body.mesh_model import part_names
 from robots.simulated.body.scene_model import FLOOR, add_scene, joint_name
+from robots.simulated.frugal_memory import give_back
 
 TIMESTEP_S = 0.001
 IMPEDANCE_RATIO = 100.0
@@ -41,10 +42,20 @@ class Physics:
         DescriptionError: The URDF and the description disagree.
     """
 
-    def __init__(self, robot: RobotData, scene: SceneDescription) -> None:
+    def __init__(self, robot: RobotData, scene: SceneDescription, *, drawn: bool = True) -> None:
+        """Build it.
+
+        Args:
+            robot: Who stands in it.
+            scene: What is around.
+            drawn: Whether pictures may be taken in it.
+
+        Raises:
+            SceneError: The simulator refuses the scene.
+        """
         description = robot.description
         self.description, self.hardware, self.scene = description, robot.hardware, scene
-        spec = robot_spec(robot)
+        spec = robot_spec(robot, drawn=drawn)
         _set_options(spec)
         if description.welded:
             _mount(spec, description, scene)
@@ -53,6 +64,8 @@ class Physics:
             self.model = spec.compile()
         except ValueError as refused:
             raise SceneError(scene.name, "scene", f"the simulator refuses it: {refused}") from refused
+        del spec
+        give_back()
         self.data = mujoco.MjData(self.model)
         self._fresh_time_s = -1.0
         self.geom_role, self.geom_label = self._label_geoms()

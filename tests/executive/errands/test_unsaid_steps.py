@@ -23,6 +23,7 @@ from trees.tasks import (
     HandOverTask,
     MoveTask,
     ObjectDescription,
+    ObjectOf,
     OpenTask,
     PickTask,
     PlaceTask,
@@ -532,3 +533,20 @@ def test_who_speaks_is_found_out_before_the_robot_goes_away_and_greets_them():
 
     assert first.finds_who == "me"
     assert with_names(greeting, {"me": "Ana"}).person == "Ana"
+
+
+def test_what_was_found_in_a_room_is_walked_to_before_it_is_taken():
+    commands = parse("find the red cup in the office and take it").commands
+
+    found = [step.command for step in prepared(commands, True, Known(rooms=frozenset({"office", "kitchen"})))]
+
+    assert [type(command) for command in found] == [WalkToTask, FindTask, WalkToTask, PickTask]
+    assert found[2].to == ObjectOf(0)
+
+
+def test_what_a_hand_has_taken_is_not_walked_to():
+    commands = parse("take the red cup and point at it").commands
+
+    found = prepared(commands, True, Known(rooms=frozenset({"office", "kitchen"})))
+
+    assert "come within reach of it" not in [step.command.text for step in found]

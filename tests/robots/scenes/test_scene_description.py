@@ -26,6 +26,7 @@ position_m = [0.5, 0.0, 0.05]
     [
         ("red can 2", "can", (), ()),
         ("can", "can", (), ()),
+        ("orange", "ball", (), ("orange",)),
         ("tomato soup", "can", (), ("tomato soup",)),
         ("tomato soup 2", "can", (), ("tomato soup",)),
         ("red cup", "cup", ("my favourite",), ("my favourite",)),

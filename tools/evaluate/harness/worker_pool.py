@@ -7,7 +7,6 @@ it was. Here each process has a pipe of its own.
 from __future__ import annotations
 
 import contextlib
-import gc
 import multiprocessing
 import os
 import resource
@@ -20,6 +19,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
 from robots.clock import WallClock
+from robots.simulated.frugal_memory import be_frugal, give_back
 
 DEATHS = 5
 """An order is tried again when its process dies, and given up when so many have died of it."""
@@ -64,7 +64,8 @@ class Ended(Generic[Order, Record]):
 
 def run_tidily(run: Callable[[Order], Record], order: Order) -> tuple[Record, Cost]:
     """Run one order here, and say what it took."""
-    gc.collect()  # a world that nobody holds any more is in no hurry to go by itself
+    be_frugal()
+    give_back(garbage=True)  # a world that nobody holds any more is in no hurry to go by itself
     clock, began_processor_s = WallClock(), time.process_time()
     record = run(order)
     memory_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / _KB_A_MB

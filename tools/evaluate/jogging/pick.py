@@ -158,7 +158,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     scene = read_episode_scene(pick_scene(order.seed), order.seed)
     if not unseen:
         scene = _farther(scene, float(episode_rng(order.seed, 62).uniform(*STANDS_OFF_M)))
-    assembly = assemble(order.robot, scene, order.seed)
+    assembly = assemble(order.robot, scene, order.seed, drawn=False)
     watch, typist, truth = Watch(assembly), Typist(assembly), assembly.world.truth
     assembly.session.watch_periods(watch.on_period)
     cup = truth.world_T_object(TARGET)[:3, 3] - truth.world_T_base()[:3, 3]

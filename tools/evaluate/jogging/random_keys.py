@@ -209,7 +209,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     began = time.process_time()
     rng = episode_rng(order.seed, 61)
     scene = read_episode_scene(pick_scene(order.seed), order.seed)
-    assembly = assemble(order.robot, scene, order.seed)
+    assembly = assemble(order.robot, scene, order.seed, drawn=False)
     watch, typist = Watch(assembly), Typist(assembly)
     assembly.session.watch_periods(watch.on_period)
     assembly.session.run_task(DescribeTask("what do you see"))

@@ -75,7 +75,7 @@ def _run(order: OpeningOrder, scene: OpeningScene) -> OpeningRecord:
             felt.append(float(event.numbers["peak_force_n"]))
 
     described = seen_by(scene.read(), order.perception)
-    assembly = assemble(order.robot, described, order.seed, sink=listen)
+    assembly = assemble(order.robot, described, order.seed, sink=listen, drawn=False)
     truth: SimulatorTruth = assembly.world.truth
     grippers = assembly.model.description.grippers.values()
     hands = frozenset(link for gripper in grippers for link in gripper.touch_links)

@@ -93,7 +93,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         for judge in judges:
             judge.on_event(event)
 
-    assembly = assemble(order.robot, trial.scene, order.seed, sink=sink)
+    assembly = assemble(order.robot, trial.scene, order.seed, sink=sink, drawn=False)
     judge = SKILL_SUITES[suite].judge(assembly, trial, episode_rng(order.seed, 11))
     judges.append(judge)
     watch = SafetyWatch(assembly.world.truth, lambda: assembly.loop.walking.active)
