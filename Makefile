@@ -55,7 +55,7 @@ test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
 
 test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client, a browser
-	-$(BIN)/python -m tools.benchmark.peers ros_jazzy ros_kilted smollm2  # one that cannot be installed is named and left out
+	-$(BIN)/python -m tools.benchmark.peers ros_jazzy ros_kilted smollm2 libero  # one that cannot be installed is named and left out
 	$(BIN)/python -m pytest --peers tests/peers
 
 check: $(VENV)/.dev-stamp  ## style, types, layers, architecture

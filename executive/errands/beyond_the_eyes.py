@@ -7,7 +7,10 @@ from collections.abc import Collection, Iterator, Sequence
 
 from executive.meaning import Command
 from executive.understanding.canonical_words import vocabulary
+from robots.scenes.articulated import PART_KINDS
+from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import kind_called
+from robots.scenes.scene_words import OBJECT_KINDS
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
 from trees.beliefs.scene.labels import can_be_told
@@ -18,6 +21,8 @@ THINGS = frozenset({"KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE
 """Classes of words that name what perception may tell."""
 _NO_THINGS = frozenset({"PERSON", "NAME", "ROOM"})
 _MOST_TOLD = 12
+_ANYWHERE = frozenset({*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS})
+"""What perception can tell in every place."""
 
 
 def cannot_be_told(commands: Sequence[Command], labels: Collection[str] | None) -> tuple[Command, str] | None:
@@ -48,9 +53,10 @@ def is_told(word: str, labels: Collection[str] | None) -> bool:
 
 
 def what_can_be_found(word: str, labels: Collection[str]) -> str:
-    """What perception can tell instead of a word, the most alike first: "a can, a cup and ..."."""
+    """What perception can tell instead of a word: the most alike first, then what is of the place alone."""
     near = difflib.get_close_matches(word, sorted(labels), n=2, cutoff=0.6)
-    told = [*near, *(label for label in sorted(labels) if label not in near)]
+    known = sorted(labels, key=lambda label: (label in _ANYWHERE, label))
+    told = [*near, *(label for label in known if label not in near)]
     more = [] if len(told) <= _MOST_TOLD else [f"{len(told) - _MOST_TOLD} more"]
     return listed([*map(with_article, told[:_MOST_TOLD]), *more])
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, Sealed
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.scenes.importing.extra import library
 
@@ -18,7 +18,7 @@ _SAMPLES = 3000
 
 
 @dataclass(frozen=True, slots=True)
-class Fit:
+class Fit(Sealed):
     """An outline, where its centre is, and how far the hull's surface is from its own.
 
     Attributes:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.arrays import Array, Indices
+from kinematics.arrays import Array, Indices, Sealed
 from kinematics.formats.solid_document import MAX_PARTS
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
@@ -25,7 +25,7 @@ _FLAT_M = 3e-4
 
 
 @dataclass(frozen=True, slots=True)
-class ForeignObject:
+class ForeignObject(Sealed):
     """An object.
 
     Attributes:

@@ -48,3 +48,13 @@ def test_what_something_is_compared_with_has_to_be_known_too(sentence):
 
 def test_an_open_detector_may_be_asked_for_anything():
     assert why("find the rubik's cube", None) is None
+
+
+def test_what_the_things_of_the_place_are_called_is_told_before_what_things_are_called_anywhere():
+    labels = frozenset(
+        {"ball", "bottle", "bowl", "box", "can", "cup", "counter", "door", "drawers", "fridge"}
+    )
+
+    said = why("find the rubik's cube", labels | {"table", "wall", "shelf", "zorblax", "handle", "drawer"})
+
+    assert "I can find a zorblax, a ball" in said

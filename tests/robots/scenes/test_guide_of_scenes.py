@@ -3,10 +3,12 @@
 import re
 from pathlib import Path
 
+from robots.scenes.importing.import_object import import_object
 from robots.scenes.scene_file import read_scene
+from tests import foreign_meshes as foreign
 
 GUIDE = (Path(__file__).parents[3] / "docs" / "extend" / "a-scene.md").read_text("utf-8")
-BREAKFAST, FRIDGE, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+BREAKFAST, MESH, FRIDGE, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
 
 
 def test_the_guides_scene_can_be_read():
@@ -32,3 +34,14 @@ def test_the_guides_camera_looks_down_on_the_table():
     (camera,) = read_scene(CAMERA, "camera.toml", "camera").cameras
 
     assert camera.world_T_camera[2, 2] < -0.5
+
+
+def test_the_thing_that_has_a_mesh_is_as_the_guide_says(tmp_path):
+    import_object(foreign.written(foreign.can(), tmp_path, "soup_can.obj"))
+
+    scene = read_scene(BREAKFAST + MESH, str(tmp_path / "breakfast.toml"), "breakfast")
+
+    soup = next(item for item in scene.objects if item.model is not None)
+    assert (soup.name, soup.kind) == ("tomato soup", "soup")
+    assert soup.names == ("tomato soup", "the red tin")
+    assert soup.mass_kg == 0.35

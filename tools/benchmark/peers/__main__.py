@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tools.benchmark.peers.environments import (
+    ASSET_NAMES,
     CACHE_VARIABLE,
     MODEL_NAMES,
     NAMES,
@@ -26,9 +27,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "names",
         nargs="*",
-        choices=[*NAMES, *ROS_NAMES, *MODEL_NAMES, []],
+        choices=[*NAMES, *ROS_NAMES, *MODEL_NAMES, *ASSET_NAMES, []],
         metavar="NAME",
-        help=", ".join((*NAMES, *ROS_NAMES, *MODEL_NAMES)),
+        help=", ".join((*NAMES, *ROS_NAMES, *MODEL_NAMES, *ASSET_NAMES)),
     )
     parser.add_argument(
         "--cache", type=Path, default=default_cache(), help=f"folder (or the variable {CACHE_VARIABLE})"

@@ -23,6 +23,8 @@ ROS_NAMES = ("ros_jazzy", "ros_kilted")
 """Peers of the ROS door, for tests alone: rclpy of two distributions."""
 MODEL_NAMES = ("smollm2",)
 """A small language model that travels in a package, with what serves it; for tests alone."""
+ASSET_NAMES = ("libero",)
+"""Objects and furniture of a benchmark for manipulation, to be imported; for tests alone."""
 
 
 def default_cache() -> Path:
@@ -39,7 +41,7 @@ class PeerEnvironment:
     """One peer's environment.
 
     Attributes:
-        name: One of ``NAMES``, ``ROS_NAMES`` or ``MODEL_NAMES``.
+        name: One of ``NAMES``, ``ROS_NAMES``, ``MODEL_NAMES`` or ``ASSET_NAMES``.
         cache: Folder that holds all environments.
     """
 
