@@ -1,12 +1,15 @@
-"""The tree that a task would run, without a robot: its leaves are made, and never ticked."""
+"""The tree that a task would run on the usual robot, without one: its leaves are made, and never ticked."""
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
 
 from executive.errors import UserError
+from executive.runs.run_request import DEFAULT_ROBOT
+from robots.models.description import load_description
 from trees.btcpp.errors import TreeDocumentError
 from trees.btcpp.reader import read_tree
 from trees.btcpp.writer import write_tree
@@ -64,7 +67,7 @@ def _nowhere() -> Toolbox:
     absent = cast(Any, None)
     return Toolbox(
         clock=absent,
-        model=absent,
+        model=cast(Any, SimpleNamespace(description=load_description(DEFAULT_ROBOT))),
         motion=absent,
         sensing=absent,
         grippers={},

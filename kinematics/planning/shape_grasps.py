@@ -31,7 +31,7 @@ CONE_RAD = math.radians(17.0)
 two pads press on a rim or an edge the rest is gone."""
 NARROWEST_M = 0.02
 """What is thinner than this between the pads cannot be told from an empty hand."""
-RESERVE_M = 0.006
+SPARE_OPENING_M = 0.006
 PALM_GAP_M = 0.012
 _BETWEEN = 500
 """Points from which a line across is looked for."""
@@ -101,7 +101,7 @@ def shape_grasps(parts: ConvexParts, gripper: GripperDescription, pose: Transfor
 
 @functools.lru_cache(maxsize=64)
 def _found(parts: ConvexParts, gripper: GripperDescription, up: tuple[float, float, float]) -> ShapeGrasps:
-    widest = gripper.max_opening_m - 2.0 * RESERVE_M
+    widest = gripper.max_opening_m - 2.0 * SPARE_OPENING_M
     lines, narrowest = _lines_across(parts, widest)
     middle = parts.surface.mean(axis=0)
     poses, slants = _turned(lines, np.array(up))
@@ -208,7 +208,7 @@ def _judged(poses: Array, points: Array, normals: Array, gripper: GripperDescrip
     half_long = max(half[2] for half in gripper.pad_half_size_m)
     tips = half_long + gripper.closing_advance_m
     palm = -(gripper.palm_distance_m - PALM_GAP_M)
-    open_m, found = 0.5 * gripper.max_opening_m - RESERVE_M, []
+    open_m, found = 0.5 * gripper.max_opening_m - SPARE_OPENING_M, []
     for over_m in _OVERLAP_M:
         for row, pose in enumerate(poses):
             place = pose.copy()

@@ -11,6 +11,7 @@ from executive.errands.prepared import Known
 from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
+from robots.models.description import load_description
 from trees.failures import Failure, Reason
 
 
@@ -18,7 +19,7 @@ def unseen(name):
     return Failure.postcondition(f"no {name} seen", seen="table, red can").because(Reason.NOT_SEEN)
 
 
-BODY = SimpleNamespace(description=SimpleNamespace(name="talos", tcp_frames={"right": "tool"}))
+BODY = SimpleNamespace(description=load_description("talos"))
 
 
 class Notes:

@@ -14,12 +14,11 @@ import numpy as np
 from executive.config import APPLICATION
 from kinematics.arrays import Array
 from kinematics.collision.validity import validity
-from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
+from tools.benchmark.own_arm_planner import panda_on_floor
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import PeerProcess, peer_process
 from tools.benchmark.problems.arm_judge import REFEREE_STEP_RAD, Arm, ArmJudge
@@ -53,7 +52,7 @@ class OwnEdgeJudge:
 
     def __init__(self) -> None:
         self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
-        self._model = RobotModel(load_description("panda"))
+        self._model = panda_on_floor()
         self._robot = StandingRobot(self._model, Stance(()))
 
     def judge(self, objects: Sequence[SceneObject], edges: Array) -> tuple[list[bool], float]:

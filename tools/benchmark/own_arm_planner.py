@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import time
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,12 +26,17 @@ _SAMPLES = 400
 _SETTINGS = PathSettings(iterations=20_000)
 
 
+def panda_on_floor() -> RobotModel:
+    """The Panda as its peers have it: bolted to the floor at the origin."""
+    return RobotModel(replace(load_description("panda"), mount_xyz_m=(0.0, 0.0, 0.0)))
+
+
 class OwnArmPlanner:
     """Straight line, else RRT-Connect, shortcuts and rounded corners, with the product's settings."""
 
     def __init__(self) -> None:
         self.name = f"{APPLICATION} {importlib.metadata.version(APPLICATION)}"
-        self._model = RobotModel(load_description("panda"))
+        self._model = panda_on_floor()
         self._robot = StandingRobot(self._model, Stance(()))
         self._space = FreeCoordinates(self._robot)
 

@@ -37,6 +37,7 @@ from kinematics.standing.free_coordinates import FreeCoordinates, free_coordinat
 from kinematics.timing.curve_timing import Pace, time_curve
 from robots.models.description import load_description
 from tools.benchmark.figures import timed_s
+from tools.benchmark.own_arm_planner import panda_on_floor
 from tools.benchmark.scaling_page import Course
 
 OBSTACLES = (1, 3, 10, 30, 100, 300, 1000)
@@ -67,7 +68,7 @@ def scaling(repeats: int) -> list[Course]:
 
 
 def _among_obstacles(repeats: int) -> list[Course]:
-    model, stance = RobotModel(load_description("panda")), Stance(())
+    model, stance = panda_on_floor(), Stance(())
     robot = StandingRobot(model, stance)
     space = FreeCoordinates(robot)
     names = ("Panda: scene taken in", "Panda: line of 2 rad judged", "Panda: path planned and shortened")

@@ -91,7 +91,7 @@ def _figure(columns: int, size_in: tuple[float, float]) -> tuple[Any, Sequence[A
         from matplotlib.figure import Figure
     except ImportError:
         raise UserError("pictures need matplotlib, of the extra [dev]: pip install matplotlib") from None
-    with matplotlib.rc_context(_SETTINGS):
+    with matplotlib.rc_context(dict(_SETTINGS)):
         figure = Figure(figsize=size_in, layout="constrained")
         return figure, list(figure.subplots(1, columns, squeeze=False)[0])
 
@@ -100,7 +100,7 @@ def _svg(figure: Any) -> str:
     import matplotlib
 
     drawn = io.StringIO()
-    with matplotlib.rc_context(_SETTINGS):
+    with matplotlib.rc_context(dict(_SETTINGS)):
         figure.savefig(drawn, format="svg", metadata={"Date": None, "Creator": None})
     lines = (line.rstrip() for line in drawn.getvalue().splitlines())
     return "\n".join(lines) + "\n"

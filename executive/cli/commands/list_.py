@@ -41,7 +41,7 @@ def list_(
         typer.echo(line)
 
 
-def _lines(what: What, scene: str, robot: str | None) -> Iterator[str]:
+def _lines(what: What, scene: str = DEFAULT_SCENE, robot: str | None = None) -> Iterator[str]:
     match what:
         case What.ROBOTS:
             from robots.outside import known_robots

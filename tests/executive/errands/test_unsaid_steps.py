@@ -13,6 +13,7 @@ from executive.errands.unsaid_steps import prepared
 from executive.session.driver import driven
 from executive.session.task_result import TaskResult, TaskTimes
 from executive.understanding.command_parser import parse
+from robots.models.description import load_description
 from trees.failures import Failure, Reason
 from trees.skills.greet import GreetTask
 from trees.tasks import (
@@ -267,6 +268,7 @@ class Notes:
             can_walk=True,
             places=("kitchen", "living room"),
             grippers={"right": None},
+            model=SimpleNamespace(description=load_description("talos")),
             detector=SimpleNamespace(labels=None),
         )
         self.told, self.fails, self.failure = [], fails, failure

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.ports import ports
 from trees.port_values import Placement
 from trees.skills.looking.aiming_leaf import AimingLeaf
 from trees.skills.looking.look_at import joints_that_show
 
-_HALF_HEIGHT_M = 0.12
-"""Of the tallest things that a hand puts down."""
+_CLEAR = 0.25
+"""Three quarters of it are far enough from the eyes, if what is so far above its middle is."""
 
 
 class LookAtPlacement(AimingLeaf):
@@ -20,10 +21,10 @@ class LookAtPlacement(AimingLeaf):
     enough, the trunk leans forward as well.
     """
 
-    INPUT_PORTS = ports(placement=Placement)
+    INPUT_PORTS = ports(held=HeldObject, placement=Placement)
     OUTPUT_PORTS = ports()
 
     def joints(self) -> Mapping[str, float]:
         """The goal of the head's joints, and of the trunk's if need be, rad."""
         place = self.get_input("placement").odom_T_object[:3, 3]
-        return joints_that_show(self.toolbox, place, _HALF_HEIGHT_M)
+        return joints_that_show(self.toolbox, place, _CLEAR * self.get_input("held").shape.height_m)

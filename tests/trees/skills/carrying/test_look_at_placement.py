@@ -2,13 +2,18 @@
 
 import math
 
+import numpy as np
 import pytest
 from py_trees.common import Status
 
 from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from trees.beliefs.scene.held_object import HeldObject
 from trees.beliefs.sight.sight import off_axis_rad
 from trees.port_values import Placement
 from trees.skills.carrying.look_at_placement import LookAtPlacement
+
+CUP = HeldObject("red cup", "left", Cylinder(0.03, 0.11), np.eye(4))
 
 
 def placed_at(x, y, z):
@@ -23,7 +28,7 @@ def lean_rad(stage):
 def test_what_stands_at_the_near_edge_is_looked_at_with_the_trunk_too(stage, ahead_m, leans):
     placement = placed_at(ahead_m, 0.04, 0.92)
 
-    assert stage.run(LookAtPlacement("look", stage.toolbox), placement=placement) is Status.SUCCESS
+    assert stage.run(LookAtPlacement("look", stage.toolbox), held=CUP, placement=placement) is Status.SUCCESS
 
     off = off_axis_rad(stage.fake.world.world_T_camera(), placement.odom_T_object[:3, 3])
     assert math.hypot(*off) < 0.26

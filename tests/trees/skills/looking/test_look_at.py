@@ -220,8 +220,8 @@ def test_the_trunk_does_not_lean_over_what_would_be_too_near_to_the_eyes(stage):
     at_the_near_edge = np.array([0.40, -0.06, 1.03])
 
     leans = joints_that_show(stage.toolbox, at_the_near_edge)
-    stays = joints_that_show(stage.toolbox, at_the_near_edge, clear_m=0.12)
+    stays = joints_that_show(stage.toolbox, at_the_near_edge, clear_m=0.05)
 
     assert leans["torso_2_joint"] > 0.1
     assert "torso_2_joint" not in stays
-    assert "torso_2_joint" in joints_that_show(stage.toolbox, np.array([0.40, -0.06, 0.8]), clear_m=0.12)
+    assert "torso_2_joint" in joints_that_show(stage.toolbox, np.array([0.40, -0.06, 0.8]), clear_m=0.05)
