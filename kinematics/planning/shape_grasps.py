@@ -54,8 +54,6 @@ _UP_COSINE = math.cos(math.radians(95.0))
 _MOST = 400
 LEVER_COST_PER_M = 12.0
 BELOW_COST_PER_M = 4.0
-"""Held below its middle it leans in the hand, and the hand is nearer to what it stands on."""
-BELOW_COST_PER_M = 4.0
 """Held below its middle a thing leans in the hand, and the hand is nearer to what it stands on."""
 SLANT_COST = 1.5
 DEEP_COST = 0.1
