@@ -67,7 +67,7 @@ def chat(tmp_path):
     made = []
 
     def begin(*options):
-        made.append(Chat(tmp_path, "--pace", "0.5", *options))
+        made.append(Chat(tmp_path, "--pace", "0.8", *options))
         return made[-1]
 
     yield begin

@@ -217,6 +217,8 @@ def test_a_second_client_is_told_who_commands(served, tool):
 
     async def dialogue(one, other):
         await begun(one, "wave")
+        while not served.said:
+            await anyio.sleep(0.01)
         words = await refused(other, tool, text="nod")
         await called(other, "cancel")
         return words
