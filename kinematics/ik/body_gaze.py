@@ -96,8 +96,8 @@ def _with_trunk(
                 joints[joint] = float(
                     np.clip(angle, model.lower_rad[index] + margin, model.upper_rad[index] - margin)
                 )
-        joints |= gaze_joints(model, _with(shifted, model, joints), point)
-        off = off_axis_rad(model, _with(shifted, model, joints), point)
+        joints |= gaze_joints(model, with_joints(shifted, model, joints), point)
+        off = off_axis_rad(model, with_joints(shifted, model, joints), point)
         if best is None or off < best.off_rad:
             best = BodyGaze(joints, pelvis_m, off)
         if off <= aimed_rad:
@@ -120,7 +120,8 @@ def off_axis_rad(model: RobotModel, q: Array, point: Array) -> float:
     return math.atan2(math.hypot(x, y), z)
 
 
-def _with(q: Array, model: RobotModel, joints: dict[str, float]) -> Array:
+def with_joints(q: Array, model: RobotModel, joints: Mapping[str, float]) -> Array:
+    """A configuration, shape (nq,), with some joints elsewhere, rad."""
     q = q.copy()
     for joint, angle in joints.items():
         q[7 + model.joint_index(joint)] = angle

@@ -178,6 +178,8 @@ class Eyes:
         light: Light,
     ) -> tuple[Thing, ...]:
         """What people hold out to somebody."""
+        if not people:
+            return ()
         others = segments.labels > 0
         for surface in surfaces:
             on = surface.pixels.repeat(2, axis=0).repeat(2, axis=1)

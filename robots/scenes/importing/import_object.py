@@ -13,7 +13,6 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
-from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import CannotImportError
 from robots.scenes.importing.convex import convex_parts, surface_of, volume
 from robots.scenes.importing.extra import library
@@ -170,18 +169,8 @@ def made(mesh: Mesh, guesses: Guesses) -> ObjectModel:
         outline_error_m=fit.error_m,
     )
     return ObjectModel(
-        _with_parts(fit.outline, parts), vertices, mesh.faces, mesh.on_picture, mesh.picture, mesh.color
+        replace(fit.outline, parts=parts), vertices, mesh.faces, mesh.on_picture, mesh.picture, mesh.color
     )
-
-
-def _with_parts(outline: Shape, parts: ConvexParts) -> Shape:
-    match outline:
-        case Box(size_m=size):
-            return Box(size, parts)
-        case Cylinder(radius_m=radius, height_m=height):
-            return Cylinder(radius, height, parts)
-        case Ball(radius_m=radius):
-            return Ball(radius, parts)
 
 
 def _measured(model: ObjectModel) -> dict[str, object]:

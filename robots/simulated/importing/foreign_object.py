@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,7 +13,6 @@ from kinematics.formats.solid_document import MAX_PARTS
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import Transform
-from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.scenes.importing.convex import of_few_corners, surface_of, volume
 from robots.scenes.importing.extra import library
 from robots.scenes.importing.outline import fitted, turn_of
@@ -76,7 +75,7 @@ def foreign_object(
         rests=rests_of(corners, middle).up,
         outline_error_m=fit.error_m,
     )
-    model = ObjectModel(_with(fit.outline, parts), vertices, faces.astype(np.int32), color=color)
+    model = ObjectModel(replace(fit.outline, parts=parts), vertices, faces.astype(np.int32), color=color)
     place = poses.transform(to_own.T, to_own.T @ fit.centre)
     return ForeignObject(model, place, len(clouds) - len(hulls))
 
@@ -117,13 +116,3 @@ def _seen(
         solid = foreign.solid_geoms(bodies)
         color = foreign.color(solid[0])
     return np.concatenate(vertices), np.concatenate(faces), color
-
-
-def _with(outline: Shape, parts: ConvexParts) -> Shape:
-    match outline:
-        case Box(size_m=size):
-            return Box(size, parts)
-        case Cylinder(radius_m=radius, height_m=height):
-            return Cylinder(radius, height, parts)
-        case Ball(radius_m=radius):
-            return Ball(radius, parts)

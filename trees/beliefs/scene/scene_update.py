@@ -131,7 +131,8 @@ def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: 
         if not item.movable:
             continue
         if kind_of(name) != words:
-            doubted = unsure or _may_be(estimate, item)
+            label = item.label
+            doubted = unsure or (label is not None and estimate.may_be(label.kind, label.color))
             if doubted and _same_place(item, estimate) and not _could_hold(item, estimate):
                 return True
         elif not unsure:
@@ -153,16 +154,20 @@ def _same_place(item: SceneObject, estimate: ObjectEstimate) -> bool:
     below or above it.
     """
     width, other = _width_m(item.shape), _width_m(estimate.shape)
-    away = item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]
-    beside = float(np.hypot(away[0], away[1])) > _SAME_PLACE * max(width, other)
-    stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
-    return not beside and not stacked and other < _HOLDS * width + _HOLDS_M
+    near = _beside_m(item, estimate) <= _SAME_PLACE * max(width, other)
+    return near and not _stacked(item, estimate) and other < _HOLDS * width + _HOLDS_M
 
 
-def _may_be(estimate: ObjectEstimate, item: SceneObject) -> bool:
-    """Whether what is seen tells of itself that it may be of the kind that is known."""
-    label = item.label
-    return label is not None and label.color == estimate.color and label.kind in estimate.alike
+def _beside_m(item: SceneObject, estimate: ObjectEstimate) -> float:
+    """How far apart a thing and a sighting are along the floor."""
+    away = item.world_T_object[:2, 3] - estimate.odom_T_object[:2, 3]
+    return float(np.hypot(away[0], away[1]))
+
+
+def _stacked(item: SceneObject, estimate: ObjectEstimate) -> bool:
+    """Whether one is above the other."""
+    up_m = abs(float(item.world_T_object[2, 3] - estimate.odom_T_object[2, 3]))
+    return up_m > _STACKED * (item.shape.height_m + estimate.shape.height_m)
 
 
 def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
@@ -213,11 +218,9 @@ def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
 
     What is seen unsurely, half of it beyond the edge of the picture, is no second one where it may reach.
     """
-    away = item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]
     width_m = _width_m if estimate.confidence >= SURE else _length_m
     least_m = 0.5 * _OVERLAP * (width_m(item.shape) + width_m(estimate.shape))
-    stacked = abs(float(away[2])) > _STACKED * (item.shape.height_m + estimate.shape.height_m)
-    return not stacked and float(np.hypot(away[0], away[1])) < least_m
+    return not _stacked(item, estimate) and _beside_m(item, estimate) < least_m
 
 
 def _free_name(words: str, taken: set[str]) -> str:

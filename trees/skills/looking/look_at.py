@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset
+from kinematics.ik.body_gaze import body_gaze, off_axis_rad, pelvis_offset, with_joints
 from kinematics.ik.gaze import gaze_joints
 from kinematics.model.robot_description import RobotDescription
 from kinematics.model.standing_robot import StandingRobot
@@ -87,19 +87,13 @@ def joints_that_show(toolbox: Toolbox, point: Array, clear_m: float = 0.0) -> Ma
     model, q = toolbox.model, toolbox.motion.reference()
     camera = model.description.camera
     head = gaze_joints(model, q, point)
-    looking = q.copy()
-    for joint, angle in head.items():
-        looking[7 + model.joint_index(joint)] = angle
     seen_rad = _WELL_IN_VIEW * 0.5 * min(camera.horizontal_fov_rad, camera.vertical_fov_rad)
-    if off_axis_rad(model, looking, point) <= seen_rad:
+    if off_axis_rad(model, with_joints(q, model, head), point) <= seen_rad:
         return head
     gaze = body_gaze(model, q, point, turning_joint(model.description), seen_rad)
     if gaze is None:
         return head
-    leaning = q.copy()
-    for joint, angle in gaze.joints.items():
-        leaning[7 + model.joint_index(joint)] = angle
-    eye = model.frame_pose(leaning, camera.frame)
+    eye = model.frame_pose(with_joints(q, model, gaze.joints), camera.frame)
     depth_m = float(eye[:3, 2] @ (point + clear_m * np.array([0.0, 0.0, 1.0]) - eye[:3, 3]))
     return head if clear_m > 0.0 and depth_m < camera.range_m[0] else gaze.joints
 
