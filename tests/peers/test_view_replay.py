@@ -28,6 +28,8 @@ ARGUMENTS = [
     "--ignore-gpu-blocklist",
 ]
 TEXT = "move backward for 1 second"
+SLOW = "0.1 x"
+"""A browser on a busy machine can take seconds until it tells of a key: the run must not end meanwhile."""
 pytestmark = [
     pytest.mark.timeout(600),
     pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed"),
@@ -48,7 +50,7 @@ def recorded(folder, seed):
 def timeline(tmp_path_factory):
     one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
     server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
-    made = Timeline(server, one, over.is_set, other)
+    made = Timeline(server, one, over.is_set, other, SLOW)
     made.port = server.port
     thread = threading.Thread(target=made.run)
     thread.start()
@@ -98,12 +100,17 @@ def test_keys_alone_play_and_hold_and_move_the_time(page, timeline):
     page.keyboard.press("Shift+ArrowRight")
     until(lambda: timeline.t_s == pytest.approx(0.1, abs=0.02))
     page.keyboard.press("Alt+p")
-    until(lambda: timeline.t_s > 0.4)
+    until(lambda: timeline.t_s > 0.15)
     page.keyboard.press("Alt+p")
-    held_s = timeline.t_s
-    time.sleep(1.0)
 
-    assert timeline.t_s == pytest.approx(held_s, abs=0.3)
+    until(lambda: held(timeline))
+
+
+def held(timeline):
+    """Whether the time stands, somewhere before the end."""
+    before_s = timeline.t_s
+    time.sleep(1.0)
+    return before_s == timeline.t_s < timeline.ends_s
 
 
 def test_the_drawn_robots_move_with_the_time(page, timeline):

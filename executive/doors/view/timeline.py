@@ -36,6 +36,7 @@ class Timeline:
         recording: The run.
         ended: Asked in between.
         other: Another run, at the same time; None for none.
+        pace: At which it plays until another is chosen; one of ``PACES``.
 
     Attributes:
         t_s: The moment that is shown.
@@ -49,6 +50,7 @@ class Timeline:
         recording: Recording,
         ended: Callable[[], bool],
         other: Recording | None = None,
+        pace: str = _USUAL_PACE,
     ) -> None:
         self._recording, self._ended, self._wall = recording, ended, WallClock()
         self._page = page = server.viser
@@ -64,7 +66,7 @@ class Timeline:
             self._runs.append(ShownRun(scene, other, part))
             for run, y_m in zip(self._runs, (0.0, _BESIDE_M), strict=True):
                 scene.add_label(f"/name_{y_m:.0f}", run.recording.name, position=(0.0, y_m, 2.1))
-        self._add_panels()
+        self._add_panels(pace)
         page.on_client_connect(self._look)
 
     def run(self) -> None:
@@ -138,7 +140,7 @@ class Timeline:
             self._play(False)
             self.go_to(self.difference.t_s)
 
-    def _add_panels(self) -> None:
+    def _add_panels(self, pace: str) -> None:
         gui, recording = self._page.gui, self._recording
         gui.configure_theme(show_logo=False, show_share_button=False)
         gui.set_panel_label(recording.asked[:60])
@@ -149,7 +151,7 @@ class Timeline:
             "time, s", min=0.0, max=ends_s, step=_STEP_S, initial_value=0.0, marks=marks
         )
         self._button = gui.add_button("play", icon=viser.Icon.PLAYER_PLAY, hint="Alt+P")
-        self._pace = gui.add_dropdown("pace", tuple(PACES), initial_value=_USUAL_PACE)
+        self._pace = gui.add_dropdown("pace", tuple(PACES), initial_value=pace)
         jump = gui.add_button(
             "next failure", icon=viser.Icon.ALERT_TRIANGLE, disabled=not recording.failures_s, hint="Alt+F"
         )
