@@ -37,6 +37,7 @@ class Detection(Sealed):
         alike: Kinds and names that the thing may have as well, as far as can be seen.
         picture: A PNG file's bytes: the part of a picture that shows it, of what is so unsure that a person
             may be asked; None else.
+        cut: Whether it goes on where nothing is measured, beyond the picture's edge: it is at least so large.
     """
 
     category: Category
@@ -52,6 +53,7 @@ class Detection(Sealed):
     error: PositionError | None = None
     alike: tuple[str, ...] = ()
     picture: bytes | None = None
+    cut: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,7 @@ class ObjectEstimate(Sealed):
         error: Of place and size, in the odometry frame; None when the detector declares none.
         alike: What else an object may be called, as far as at least half of the frames tell.
         picture: The newest that a frame tells of what is unsure, as in ``Detection``; None else.
+        cut: Whether no frame shows all of it: it is at least so large.
     """
 
     category: Category
@@ -70,6 +71,7 @@ class ObjectEstimate(Sealed):
     error: PositionError | None = None
     alike: tuple[str, ...] = ()
     picture: bytes | None = None
+    cut: bool = False
 
     @property
     def label(self) -> Label:
@@ -247,6 +249,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         error=_error(cluster, inliers),
         alike=_alike(inliers, names),
         picture=inliers[-1].picture,
+        cut=all(detection.cut for detection in inliers),
     )
 
 

@@ -36,6 +36,7 @@ def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
             "error": _error_json(item.error),
             "alike": item.alike,
             "picture": None if item.picture is None else base64.b64encode(item.picture).decode("ascii"),
+            "cut": item.cut,
         }
         for item in frame.detections
     ]
@@ -73,6 +74,7 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 error=_error(item.get("error")),
                 alike=tuple(map(str, item["alike"])),
                 picture=None if item["picture"] is None else base64.b64decode(item["picture"]),
+                cut=bool(item["cut"]),
             )
             for item in document["detections"]
         )

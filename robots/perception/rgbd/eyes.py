@@ -38,7 +38,7 @@ from robots.perception.rgbd.picture import Picture
 from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.samples import Samples, sample
 from robots.perception.rgbd.segments import Segments, above, segment
-from robots.perception.rgbd.shapes import Solid, apart, find_solids
+from robots.perception.rgbd.shapes import CUT_SHARE, Solid, apart, find_solids
 from robots.perception.rgbd.surfaces import MOST_TILT_RAD, Surface, find_surfaces
 from robots.perception.rgbd.wholes import with_wholes
 from robots.scenes.articulated import PART_KINDS
@@ -279,6 +279,7 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             alike=thing.call.alike,
             error=errors.of_thing(thing.solid, thing.confidence),
             picture=_part(picture, thing) if thing.confidence < PICTURED_BELOW else None,
+            cut=thing.solid.border > CUT_SHARE,
         )
         for thing in seen.things
         if thing.there >= LEAST_THERE

@@ -37,7 +37,9 @@ _HOLLOW_SHARE = 0.10
 _WIDEST_OF_VISIBLE = 1.25, 0.003
 """A cylinder is no wider than this share of what is seen of it, and so much more: else a box that is seen
 face on becomes a huge one."""
-_CUT_SHARE, _WIDEST_OF_CUT = 0.06, 2.5
+CUT_SHARE = 0.06
+"""What has more of its outline behind something, or at the picture's edge, goes on there."""
+_WIDEST_OF_CUT = 2.5
 """What has more of its outline than this share out of sight may be so much wider than what is seen of it."""
 _TOPLESS, _HEIGHT_UNSEEN_M = 0.5, 0.10
 """Where more of the upper ends than this share are out of sight, the height is told as far as it is seen, and
@@ -225,7 +227,7 @@ def _box_starts(samples: Samples, view: _View) -> Array:
 
 def _too_wide(view: _View, rounds: Fit, samples: Samples) -> NDArray[np.bool_]:
     share, more = _WIDEST_OF_VISIBLE
-    widest = np.where(samples.border + samples.cut > _CUT_SHARE, _WIDEST_OF_CUT, share)
+    widest = np.where(samples.border + samples.cut > CUT_SHARE, _WIDEST_OF_CUT, share)
     return np.asarray(rounds.parameters[:, 2] > widest * view.half_width + more)
 
 

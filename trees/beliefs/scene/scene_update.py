@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
@@ -60,7 +63,7 @@ def updated_scene(
     could_be_unseen: Callable[[SceneObject], bool],
     may_have_moved: bool = True,
     reserved: Collection[str] = (FLOOR,),
-    sure: Collection[str] = (),
+    before: Mapping[str, ObjectEstimate] = MappingProxyType({}),
 ) -> SceneUpdate:
     """Replace what was seen anew, keep what could not be seen, drop what is no longer there.
 
@@ -78,12 +81,13 @@ def updated_scene(
             merely looks around.
         reserved: Names of the robot's parts and of the floor, by which the scene tells what may touch: what
             is called so is numbered from 2 on ("floor 2").
-        sure: Names of what was surely seen before. An unsure sighting at such a place says that it is still
-            there, and nothing else.
+        before: How things were last seen, by their names. A worse sighting, an unsure one or one that the
+            picture's edge cuts off, of what was well seen says that it is still there, and nothing else; of
+            what was badly seen, a part of a thing as a rule, a good one says what it is.
     """
     groups: dict[str, list[ObjectEstimate]] = {}
     told = list(estimates)
-    doubted = {k for k, estimate in enumerate(told) if _contradicts_unsurely(estimate, scene, sure)}
+    doubted = {k for k, estimate in enumerate(told) if _contradicts_unsurely(estimate, scene, before)}
     seen_now = [estimate for k, estimate in enumerate(told) if k not in doubted]
     something = [told[k] for k in sorted(doubted)]
     for estimate in seen_now:
@@ -103,7 +107,8 @@ def updated_scene(
             moved = bool(strangers) and (may_have_moved or is_name(name))
             there = could_be_unseen(item) or _place_taken(item, something)
             hidden = not moved and there and not _place_taken(item, seen_now)
-            stays = hidden if item.movable else not (moved and is_name(name))
+            partial = name in before and before[name].cut and _is_part(item, seen_now)
+            stays = hidden and not partial if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
         taken = {*objects, *matched, *scene.attached, *reserved}
@@ -117,19 +122,29 @@ def updated_scene(
     return SceneUpdate(scene.with_objects(objects.values()), seen)
 
 
-def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: Collection[str]) -> bool:
-    """Whether a sighting, unsure of itself or of its kind, is where something is known to be.
+def _well_seen(estimate: ObjectEstimate) -> bool:
+    """Whether a sighting is sure of itself, and of all of the thing."""
+    return estimate.confidence >= SURE and not estimate.cut
+
+
+def _contradicts_unsurely(
+    estimate: ObjectEstimate, scene: PlanningScene, before: Mapping[str, ObjectEstimate]
+) -> bool:
+    """Whether a sighting, unsure of itself, of its kind or its size, is where something is known to be.
 
     Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box, or like a
-    lower cup.
+    lower cup, and one wall of an open box like a board.
     """
-    unsure = estimate.confidence < SURE
+    unsure = not _well_seen(estimate)
     if estimate.category != "object" or not (unsure or estimate.alike):
         return False
     words = words_for(estimate)
     for name, item in scene.objects.items():
         if not item.movable:
             continue
+        known_well = name in before and _well_seen(before[name])
+        if estimate.cut and known_well and _is_within(estimate, item):
+            return True
         if kind_of(name) != words:
             label = item.label
             doubted = unsure or (label is not None and estimate.may_be(label.kind, label.color))
@@ -137,9 +152,20 @@ def _contradicts_unsurely(estimate: ObjectEstimate, scene: PlanningScene, sure: 
                 return True
         elif not unsure:
             continue
-        elif name in sure and (_same_place(item, estimate) or _is_within(estimate, item)):
+        elif known_well and (_same_place(item, estimate) or _is_within(estimate, item)):
             return True
     return False
+
+
+def _is_part(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
+    """Whether what was cut off by the picture's edge is within something that is seen whole now."""
+    place = item.world_T_object[:, 3]
+    return any(
+        estimate.category == "object"
+        and _well_seen(estimate)
+        and _reaches(estimate.shape, estimate.odom_T_object, place)
+        for estimate in seen
+    )
 
 
 def _place_taken(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
@@ -177,12 +203,17 @@ def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
 
 def _is_within(estimate: ObjectEstimate, item: SceneObject) -> bool:
     """Whether the middle of a sighting is in a thing: one side of a box that the picture cuts off."""
-    local = poses.inverse(item.world_T_object) @ estimate.odom_T_object[:, 3]
-    if isinstance(item.shape, Box):
-        half = 0.5 * np.array(item.shape.size_m) + _WITHIN_M
+    return _reaches(item.shape, item.world_T_object, estimate.odom_T_object[:, 3])
+
+
+def _reaches(shape: Shape, world_T_shape: Transform, place: Array) -> bool:
+    """Whether a solid holds a place, shape (4,), or ends just before it."""
+    local = poses.inverse(world_T_shape) @ place
+    if isinstance(shape, Box):
+        half = 0.5 * np.array(shape.size_m) + _WITHIN_M
         return bool((np.abs(local[:3]) < half).all())
-    beside = float(np.hypot(local[0], local[1])) < item.shape.radius_m + _WITHIN_M
-    return beside and abs(float(local[2])) < 0.5 * item.shape.height_m + _WITHIN_M
+    beside = float(np.hypot(local[0], local[1])) < shape.radius_m + _WITHIN_M
+    return beside and abs(float(local[2])) < 0.5 * shape.height_m + _WITHIN_M
 
 
 def _width_m(shape: Shape) -> float:
@@ -218,7 +249,7 @@ def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
 
     What is seen unsurely, half of it beyond the edge of the picture, is no second one where it may reach.
     """
-    width_m = _width_m if estimate.confidence >= SURE else _length_m
+    width_m = _width_m if _well_seen(estimate) else _length_m
     least_m = 0.5 * _OVERLAP * (width_m(item.shape) + width_m(estimate.shape))
     return not _stacked(item, estimate) and _beside_m(item, estimate) < least_m
 

@@ -17,7 +17,6 @@ from robots.perception.object_estimate import ObjectEstimate
 from robots.perception.standing import seen_to_float, standing_on_tops
 from trees.beliefs.openings.moved_parts import without_moved_parts
 from trees.beliefs.scene.scene_update import (
-    SURE,
     SceneUpdate,
     kind_of,
     scene_object,
@@ -121,7 +120,7 @@ def folded_look(
         ),
         may_have_moved=may_have_moved,
         reserved=reserved_names(toolbox.model),
-        sure=[name for name, one in world.sightings.items() if one.confidence >= SURE],
+        before=world.sightings,
     )
     update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)

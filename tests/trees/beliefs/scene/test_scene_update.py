@@ -227,7 +227,7 @@ def test_what_was_surely_seen_keeps_its_size_when_a_part_of_it_is_seen_again():
     before = look(PlanningScene(), seen("cup")).scene
     part = replace(seen("cup", at=(0.51, 0.01, 0.93), shape=Cylinder(0.02, 0.06)), confidence=0.4)
 
-    update = updated_scene(before, [part], POLICY, lambda _: False, sure=["red cup"])
+    update = updated_scene(before, [part], POLICY, lambda _: False, before={"red cup": seen("cup")})
 
     assert update.scene.objects["red cup"].shape == Cylinder(0.03, 0.11)
     assert not update.seen
@@ -240,10 +240,37 @@ def test_a_side_of_a_box_that_the_picture_cuts_off_is_no_second_box():
     shown = seen("box", "brown", at=(0.5, -0.09, 0.94), shape=Box((0.17, 0.016, 0.07)))
     side = replace(shown, confidence=0.2)
 
-    update = updated_scene(before, [side], POLICY, lambda _: True, sure=["brown box"])
+    update = updated_scene(before, [side], POLICY, lambda _: True, before={"brown box": box})
 
     assert not update.seen
     assert update.scene.objects["brown box"].shape == box.shape
+
+
+WALL = seen("box", "blue", at=(0.5, -0.09, 0.94), shape=Box((0.17, 0.016, 0.07)))
+
+
+@pytest.mark.requirement("P2")
+def test_a_wall_of_an_open_box_that_the_picture_cuts_off_is_no_thing_in_it():
+    box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
+    before = look(PlanningScene(), box).scene
+
+    update = updated_scene(
+        before, [replace(WALL, cut=True)], POLICY, lambda _: True, before={"brown box": box}
+    )
+
+    assert set(update.scene.objects) == {"brown box"}
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("cut", "count"), [(True, 1), (False, 2)])
+def test_what_was_cut_off_is_a_part_of_what_is_seen_whole_where_it_was(cut, count):
+    box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
+    part = replace(WALL, cut=cut)
+    before = look(PlanningScene(), part).scene
+
+    update = updated_scene(before, [box], POLICY, lambda _: True, before={"blue box": part})
+
+    assert len(update.scene.objects) == count
 
 
 @pytest.mark.requirement("P2")
@@ -285,7 +312,7 @@ def test_what_is_seen_unsurely_in_a_bowl_is_no_contradiction_to_the_bowl():
     before = look(PlanningScene(), bowl).scene
     can = replace(seen("can", at=(0.5, 0.02, 0.96), shape=Cylinder(0.03, 0.1)), confidence=0.5)
 
-    update = updated_scene(before, [can], POLICY, lambda _: True, sure=["white bowl"])
+    update = updated_scene(before, [can], POLICY, lambda _: True, before={"white bowl": bowl})
 
     assert set(update.seen) == {"red can"}
 
