@@ -25,6 +25,9 @@ from robots.perception.rgbd.solids import (
 )
 
 _ROOM_M, _WITHIN_SHARE = 0.005, 0.7
+_FOOT_WIDTH, _BOTTOM_M, _LINING_SHARE = 0.55, 0.02, 0.5
+"""A bowl's wall is beyond a cone from this share of its width, at the foot, to its rim; what is so low is its
+bottom. Of a piece of the lining more than this share is there."""
 _HOLDS_M = 0.05
 Form = Literal["cylinder", "beaker", "box", "crate", "ball"]
 """A beaker is a cylinder that is open at the top, a crate a box that is."""
@@ -272,17 +275,22 @@ def _radius(solid: Solid) -> float:
 
 
 def _within_another(samples: Samples, rounds: Fit, beaker: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which pieces are within a beaker that another piece is the outside of."""
+    """Which pieces are of the lining of a beaker that another piece is the outside of.
+
+    What stands in it is within it as well, but most of that is away from its wall and its bottom.
+    """
     x, y, radius, height = rounds.parameters.T
     world = samples.points + samples.origin[:, None]
-    within = np.zeros(len(world), np.bool_)
+    within, total = np.zeros(len(world), np.bool_), samples.weight.sum(axis=1)
     for k in np.flatnonzero(beaker):
         away = np.hypot(
             world[..., 0] - samples.origin[k, 0] - x[k], world[..., 1] - samples.origin[k, 1] - y[k]
         )
-        low = world[..., 2] < samples.origin[k, 2] + height[k] + _ROOM_M
-        share = ((away < radius[k] + _ROOM_M) & low & (samples.weight > 0.0)).sum(axis=1)
-        inside = share > _WITHIN_SHARE * samples.weight.sum(axis=1)
+        up = world[..., 2] - samples.origin[k, 2]
+        room = (away < radius[k] + _ROOM_M) & (up < height[k] + _ROOM_M)
+        lining = (away > radius[k] * (_FOOT_WIDTH + (1.0 - _FOOT_WIDTH) * up / height[k])) | (up < _BOTTOM_M)
+        in_room, of_lining = ((some & (samples.weight > 0.0)).sum(axis=1) for some in (room, room & lining))
+        inside = (in_room > _WITHIN_SHARE * total) & (of_lining > _LINING_SHARE * total)
         inside[k] = False
         within |= inside & ~within[k]
     return within

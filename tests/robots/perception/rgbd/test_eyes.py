@@ -6,7 +6,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from robots.perception.rgbd.eyes import Eyes, as_frame
+from robots.perception.rgbd.eyes import LEAST_THERE, Eyes, as_frame
 from robots.scenes.scene_description import Furniture
 
 RED, BLUE, GREEN = (217, 26, 20), (31, 77, 204), (38, 153, 51)
@@ -132,6 +132,19 @@ def test_what_stands_in_a_bowl_is_seen_with_the_bowl(take, beaker, aside_m):
     assert told == [("red", "can"), ("white", "bowl")]
 
 
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("aside_m", [-0.03, 0.0, 0.03])
+def test_what_ends_at_the_rim_of_its_bowl_is_a_thing_of_its_own(take, beaker, aside_m):
+    bowl = (beaker(0.104, 0.082, wall_m=0.006), 0.55, 0.0, 0.0, WHITE)
+    can = (Cylinder(0.03, 0.075), 0.55 + aside_m, 0.01, 0.0, RED, 0.008)
+    above = poses.transform(_camera(tilt_rad=1.2)[:3, :3], (0.25, 0.0, 1.4))
+
+    seen = Eyes().look(take([bowl, can], place=above))
+
+    told = sorted((thing.color, thing.call.kind) for thing in seen.things if thing.there > LEAST_THERE)
+    assert told == [("red", "can"), ("white", "bowl")]
+
+
 def test_a_top_that_came_back_nowhere_may_be_open_or_not(take):
     picture = take([(Cylinder(0.03, 0.11), 0.6, 0.0, 0.0, RED)])
     camera_T_odom = poses.inverse(picture.odom_T_camera)
@@ -254,8 +267,8 @@ def _without_columns_from(picture, last):
     return picture
 
 
-def _camera():
-    c, s = np.cos(0.8), np.sin(0.8)
+def _camera(tilt_rad=0.8):
+    c, s = np.cos(tilt_rad), np.sin(tilt_rad)
     rotation = np.array([[0.0, -s, c], [-1.0, 0.0, 0.0], [0.0, -c, -s]])
     return poses.transform(rotation, (0.1, 0.0, 1.5))
 
