@@ -107,7 +107,7 @@ def updated_scene(
             moved = bool(strangers) and (may_have_moved or is_name(name))
             there = could_be_unseen(item) or _place_taken(item, something)
             hidden = not moved and there and not _place_taken(item, seen_now)
-            partial = name in before and before[name].cut and _is_part(item, seen_now)
+            partial = name in before and before[name].cut and _is_part(before[name], seen_now)
             stays = hidden and not partial if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
@@ -143,7 +143,8 @@ def _contradicts_unsurely(
         if not item.movable:
             continue
         known_well = name in before and _well_seen(before[name])
-        if estimate.cut and known_well and _is_within(estimate, item):
+        no_larger = known_well or _length_m(estimate.shape) < _length_m(item.shape)
+        if estimate.cut and no_larger and _may_be_part(estimate, item.shape, item.world_T_object):
             return True
         if kind_of(name) != words:
             label = item.label
@@ -157,15 +158,20 @@ def _contradicts_unsurely(
     return False
 
 
-def _is_part(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
-    """Whether what was cut off by the picture's edge is within something that is seen whole now."""
-    place = item.world_T_object[:, 3]
+def _is_part(part: ObjectEstimate, seen: Iterable[ObjectEstimate]) -> bool:
+    """Whether what was cut off by the picture's edge may be of something that is seen whole now."""
     return any(
-        estimate.category == "object"
-        and _well_seen(estimate)
-        and _reaches(estimate.shape, estimate.odom_T_object, place)
-        for estimate in seen
+        whole.category == "object"
+        and _well_seen(whole)
+        and _may_be_part(part, whole.shape, whole.odom_T_object)
+        for whole in seen
     )
+
+
+def _may_be_part(part: ObjectEstimate, shape: Shape, world_T_shape: Transform) -> bool:
+    """Whether what goes on beyond the picture's edge, who knows whither, touches a solid."""
+    room_m = _WITHIN_M + 0.5 * _length_m(part.shape)
+    return _reaches(shape, world_T_shape, part.odom_T_object[:, 3], room_m)
 
 
 def _place_taken(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
@@ -203,17 +209,17 @@ def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
 
 def _is_within(estimate: ObjectEstimate, item: SceneObject) -> bool:
     """Whether the middle of a sighting is in a thing: one side of a box that the picture cuts off."""
-    return _reaches(item.shape, item.world_T_object, estimate.odom_T_object[:, 3])
+    return _reaches(item.shape, item.world_T_object, estimate.odom_T_object[:, 3], _WITHIN_M)
 
 
-def _reaches(shape: Shape, world_T_shape: Transform, place: Array) -> bool:
-    """Whether a solid holds a place, shape (4,), or ends just before it."""
+def _reaches(shape: Shape, world_T_shape: Transform, place: Array, room_m: float) -> bool:
+    """Whether a solid holds a place, shape (4,), or ends nearer to it than that."""
     local = poses.inverse(world_T_shape) @ place
     if isinstance(shape, Box):
-        half = 0.5 * np.array(shape.size_m) + _WITHIN_M
+        half = 0.5 * np.array(shape.size_m) + room_m
         return bool((np.abs(local[:3]) < half).all())
-    beside = float(np.hypot(local[0], local[1])) < shape.radius_m + _WITHIN_M
-    return beside and abs(float(local[2])) < 0.5 * shape.height_m + _WITHIN_M
+    beside = float(np.hypot(local[0], local[1])) < shape.radius_m + room_m
+    return beside and abs(float(local[2])) < 0.5 * shape.height_m + room_m
 
 
 def _width_m(shape: Shape) -> float:

@@ -246,16 +246,20 @@ def test_a_side_of_a_box_that_the_picture_cuts_off_is_no_second_box():
     assert update.scene.objects["brown box"].shape == box.shape
 
 
-WALL = seen("box", "blue", at=(0.5, -0.09, 0.94), shape=Box((0.17, 0.016, 0.07)))
+WALL = seen("box", "blue", at=(0.5, -0.09, 0.94), shape=Box((0.037, 0.016, 0.07)))
 
 
 @pytest.mark.requirement("P2")
-def test_a_wall_of_an_open_box_that_the_picture_cuts_off_is_no_thing_in_it():
+@pytest.mark.parametrize("middle_m", [0.0, -0.02])
+@pytest.mark.parametrize("cut", [True, False])
+def test_a_wall_of_an_open_box_that_the_picture_cuts_off_is_no_thing_in_it(middle_m, cut):
+    """Nor beside it, where the box was seen too small, or cut off as well."""
+    shown = replace(WALL, odom_T_object=poses.translation(0.5, -0.09 + middle_m, 0.94), cut=True)
     box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
     before = look(PlanningScene(), box).scene
 
     update = updated_scene(
-        before, [replace(WALL, cut=True)], POLICY, lambda _: True, before={"brown box": box}
+        before, [shown], POLICY, lambda _: True, before={"brown box": replace(box, cut=cut)}
     )
 
     assert set(update.scene.objects) == {"brown box"}
