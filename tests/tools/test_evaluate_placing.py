@@ -64,3 +64,19 @@ def test_what_can_be_done_is_asked_for_as_it_was_drawn():
 )
 def test_a_box_is_turned_as_far_as_it_looks_turned(size_m, turn_deg, looks_deg):
     assert math.degrees(turned_rad(Box(size_m), math.radians(turn_deg))) == pytest.approx(looks_deg)
+
+
+@pytest.mark.parametrize(
+    ("seen_m", "turn_deg", "looks_deg"),
+    [
+        ((0.079, 0.042, 0.1), 90.0, 0.0),
+        ((0.079, 0.042, 0.1), 0.0, 90.0),
+        ((0.041, 0.078, 0.1), 90.0, 90.0),
+    ],
+)
+def test_a_box_whose_long_side_is_along_the_other_axis_of_belief_is_compared_side_by_side(
+    seen_m, turn_deg, looks_deg
+):
+    turned = turned_rad(Box((0.04, 0.08, 0.1)), math.radians(turn_deg), Box(seen_m))
+
+    assert math.degrees(turned) == pytest.approx(looks_deg, abs=1e-6)

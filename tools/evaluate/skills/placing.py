@@ -41,12 +41,16 @@ class PlaceJudge:
         self._truth, self._trial = assembly.world.truth, trial
         self._gripped = assembly.model.description.grippers
         self._others = Bystanders(self._truth, [trial.aim, *trial.given])
+        self._world = assembly.session.toolbox.world
         self._plan: Mapping[str, Figure] = {}
+        self._believed: Box | None = None
 
     def on_event(self, event: object) -> None:
         """The last plan of a place counts."""
         if isinstance(event, Measured) and event.where.endswith("plan place"):
             self._plan = dict(event.numbers)
+            (held,) = self._world.scene.attached.values()
+            self._believed = held.body.shape if isinstance(held.body.shape, Box) else None
 
     def on_period(self) -> None:
         """Only the end counts."""
@@ -65,7 +69,8 @@ class PlaceJudge:
         item = next(one for one in self._trial.scene.objects if one.name == name)
         turned = 0.0
         if isinstance(item.shape, Box):
-            turned = turned_rad(item.shape, poses.yaw_of(planned[:3, :3].T @ pose[:3, :3]))
+            yaw_rad = poses.yaw_of(planned[:3, :3].T @ pose[:3, :3])
+            turned = turned_rad(item.shape, yaw_rad, self._believed)
         tilt, lift_m = self._truth.tilt_rad(name), self._truth.lift_m(name)
         touching = self._truth.contacts.of_object(name)
         pads = {link for gripper in self._gripped.values() for link in gripper.touch_links}
@@ -101,10 +106,18 @@ class PlaceJudge:
         return abs(off) <= DIRECTION_RAD
 
 
-def turned_rad(box: Box, yaw_rad: float) -> float:
-    """By how much a plain box looks turned: half a turn is none, nor is a quarter of a square one."""
-    wide_m, deep_m, _ = box.size_m
-    same_rad = 0.5 * math.pi if abs(wide_m - deep_m) < _SQUARE_M else math.pi
+def turned_rad(box: Box, yaw_rad: float, believed: Box | None = None) -> float:
+    """By how much a plain box looks turned: half a turn is none, nor is a quarter of a square one.
+
+    Args:
+        box: As it is.
+        yaw_rad: From the frame in which it is believed to be to its own one.
+        believed: As it is believed to be: its frame's x is along what is y of the other where that is longer.
+    """
+    longer_m, seen_m = (one.size_m[0] - one.size_m[1] for one in (box, believed or box))
+    if longer_m * seen_m < 0.0:
+        yaw_rad += 0.5 * math.pi
+    same_rad = 0.5 * math.pi if min(abs(longer_m), abs(seen_m)) < _SQUARE_M else math.pi
     return abs(math.remainder(yaw_rad, same_rad))
 
 
