@@ -227,8 +227,10 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
     position = [fmean(column) for column in zip(*(cluster.positions[i] for i in near), strict=True)]
     off = [math.dist(place, position) for place in cluster.positions]
     inliers = [cluster.detections[i] for i in near]
-    rotation = _mean_rotation([cluster.rotations[i] for i in near])
-    shape = _mean_shape([detection.shape for detection in inliers])
+    first = cluster.rotations[near[0]]
+    turned = [_turned_like(first, cluster.rotations[i], cluster.detections[i].shape) for i in near]
+    rotation = _mean_rotation([one for one, _ in turned])
+    shape = _mean_shape([one for _, one in turned])
     colors = Counter(detection.color for detection in inliers if detection.color is not None)
     seen = len(cluster.detections)
     confidence = fmean(detection.confidence for detection in inliers)
@@ -274,6 +276,18 @@ def _traits(seen: Sequence[Detection]) -> tuple[str, ...]:
 def _median(values: Iterable[float]) -> float:
     """A look has few frames, and of few numbers numpy's median takes thirty times as long."""
     return float(median(values))
+
+
+def _turned_like(first: Array, rotation: Array, shape: Shape) -> tuple[Array, Shape]:
+    """A plain box with its axes named as in another sighting of it: which side is x is a frame's own choice."""
+    if not isinstance(shape, Box) or shape.parts is not None:
+        return rotation, shape
+    quarters = round(poses.yaw_of(first.T @ rotation) / (0.5 * math.pi)) % 4
+    if quarters == 0:
+        return rotation, shape
+    x, y, z = shape.size_m
+    back = rotation @ poses.rotation_z(-0.5 * math.pi * quarters)
+    return back, Box((y, x, z)) if quarters % 2 else shape
 
 
 def _mean_rotation(rotations: Sequence[Array]) -> Array:

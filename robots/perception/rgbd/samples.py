@@ -87,7 +87,7 @@ def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
         ],
         axis=-1,
     ).astype(np.int64)
-    u, v, owner, cut, border, topless = _outline(cloud, segments)
+    u, v, owner, cut, border, topless = _outline(cloud, segments, ground_m)
     eye = cloud.odom_T_camera[:3, 3]
     _, _, ray_pick, ray_weight = _picked(owner, count, RAYS)
     if not len(u):  # no outline is in sight
@@ -143,10 +143,11 @@ def _origins(points: Array, weight: Array, ground_m: Array) -> Array:
 
 
 def _outline(
-    cloud: Cloud, segments: Segments
+    cloud: Cloud, segments: Segments, ground_m: Array
 ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64], Array, Array, Array]:
     """Between which pixels an outline runs that is a thing's own, with its owner, sorted by owner.
 
+    Where a thing meets the ground it has none.
     And the shares of each one's outline that end behind something, and at the border, and of its upper ends.
     """
     labels, depth = segments.labels, cloud.depth_m
@@ -188,10 +189,7 @@ def _outline(
     )
     upper = np.maximum(np.bincount(owners[-1], minlength=count), 1)
     topless = np.bincount(owners[-1], outside[-1].astype(np.float64), minlength=count)[:count] / upper[:count]
-    ground = np.zeros(count)
-    ground[:] = np.inf
-    np.minimum.at(ground, owner, low)
-    keep = np.concatenate(own) & (low > ground[owner] + _GROUND_M)
+    keep = np.concatenate(own) & (low > ground_m[owner] + _GROUND_M)
     u, v, owner = u[keep], v[keep], owner[keep]
     order = np.argsort(owner, kind="stable")
     return u[order], v[order], owner[order], cut, border, topless

@@ -207,3 +207,18 @@ def test_a_name_that_few_frames_are_sure_of_is_what_a_thing_may_be():
 def _unsure(names, alike):
     pose = poses.translation(0.0, 0.0, 1.0)
     return Detection("object", "can", "red", pose, Cylinder(0.03, 0.1), 0.9, names=names, alike=alike)
+
+
+@pytest.mark.requirement("P2")
+def test_a_box_whose_sides_are_named_in_turn_is_as_it_is_seen_each_time():
+    rng = np.random.default_rng(5)
+    frames = []
+    for k in range(6):
+        quarters, size = (k % 4, (0.05, 0.08, 0.1) if k % 2 == 0 else (0.08, 0.05, 0.1))
+        turned = poses.rotation_z(0.7 + 0.5 * math.pi * quarters)
+        frames.append([detection(noisy(rng, at(0.5, rotation=turned)), "box", "blue", Box(size))])
+
+    (box,) = fuse_frames(views(*frames))
+
+    assert box.shape == Box((0.05, 0.08, 0.1))
+    assert poses.yaw_of(box.odom_T_object[:3, :3]) == pytest.approx(0.7, abs=0.02)
