@@ -279,7 +279,7 @@ def _median(values: Iterable[float]) -> float:
 
 
 def _turned_like(first: Array, rotation: Array, shape: Shape) -> tuple[Array, Shape]:
-    """A plain box with its axes named as in another sighting of it: which side is x is a frame's own choice."""
+    """A plain box with its axes named as in another sighting of it: which side is x, each frame chooses."""
     if not isinstance(shape, Box) or shape.parts is not None:
         return rotation, shape
     quarters = round(poses.yaw_of(first.T @ rotation) / (0.5 * math.pi)) % 4

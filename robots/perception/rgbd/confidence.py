@@ -36,8 +36,9 @@ confidence is off by 0.02. With all ten features it would be as far off.
 """
 THERE = (2.463, -0.62, -0.104, -2.955, -2.955, 1.563, 0.0, -0.919, 0.0, 0.0, 0.0)
 """The same of whether there is a thing at all: first the constant, then the features in their order."""
-_BY_ITS_TOP = 0.5
-"""What remains of the confidence where only the top is seen: a can's lid looks like the cap of a ball."""
+_BY_ITS_TOP, _CLEAR = 0.5, 1.0
+"""What remains of the confidence where only the top is seen, and another form fits nearly as well: a can's lid
+looks like the cap of a ball."""
 _SURE_M = 0.001
 _MOST_ODDS = 4.0
 
@@ -110,7 +111,9 @@ def confidences(
     )
     by_name = np.array([RIGHT.get(name, 0.0) for name in FEATURES])
     right = _share(RIGHT["constant"] + evidence @ by_name)
-    right *= [1.0 if "sides" in solid.measured else _BY_ITS_TOP for solid in solids]
+    right *= [
+        1.0 if "sides" in solid.measured or solid.margin > _CLEAR else _BY_ITS_TOP for solid in solids
+    ]
     return Belief(right, _share(THERE[0] + evidence @ np.array(THERE[1:])), evidence)
 
 
