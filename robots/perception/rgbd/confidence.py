@@ -37,7 +37,7 @@ confidence is off by 0.02. With all ten features it would be as far off.
 THERE = (2.463, -0.62, -0.104, -2.955, -2.955, 1.563, 0.0, -0.919, 0.0, 0.0, 0.0)
 """The same of whether there is a thing at all: first the constant, then the features in their order."""
 _BY_ITS_TOP, _CLEAR = 0.5, 1.0
-"""What remains of the confidence where only the top is seen, and another form fits nearly as well: a can's lid
+"""What remains of the confidence where only the top is seen and another form fits nearly as well: a lid
 looks like the cap of a ball."""
 _SURE_M = 0.001
 _MOST_ODDS = 4.0
