@@ -78,7 +78,6 @@ class Detect(LookLeaf):
     def judge(self, views: list[View]) -> Status | Failure:
         """Update the world model, then choose."""
         update = folded_look(self.toolbox, views, may_have_moved=self.part == "alone")
-        self.toolbox.world.note_sightings(update.seen)
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         chosen = self._choose(update.seen)
         if isinstance(chosen, Failure):

@@ -124,6 +124,7 @@ def folded_look(
     )
     update = _with_felt_tops(toolbox, _with_what_looks_told(toolbox, update))
     world.update(update.scene)
+    world.note_sightings(update.seen)
     world.note_top_errors(update.seen)
     if own:
         world.note_glimpse(glimpse)

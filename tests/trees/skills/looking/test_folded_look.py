@@ -8,7 +8,7 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.scene.planning_scene import SceneObject
-from robots.fake.fake_world import person, table
+from robots.fake.fake_world import cup, person, table
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
@@ -52,3 +52,12 @@ def test_what_earlier_looks_told_of_a_person_stays_and_so_does_everything_else(s
     scene = world.scene
     assert {"shelf", "Ana"} <= set(scene.objects)
     assert scene.objects["Ana"].label.traits == ("sitting",)
+
+
+@pytest.mark.requirement("P2")
+def test_every_look_remembers_how_things_were_seen(stage_with):
+    stage = stage_with(table(), cup(place_m=(0.6, 0.0)))
+
+    look(stage)
+
+    assert "table" in stage.toolbox.world.sightings
