@@ -1,10 +1,13 @@
 """What the episodes say together: rates, demands, and the JSON of the command-line contract."""
 
+import io
 import json
 
 import pytest
+from rich.console import Console
 
 from tools.evaluate.records import EpisodeRecord, Summary
+from tools.evaluate.report import print_summary
 
 
 def record(seed=0, outcome="done", truth=True, **more):
@@ -103,3 +106,11 @@ def test_the_json_holds_what_the_contract_names_and_is_strict():
 
 def test_no_episode_at_all_is_no_success():
     assert summary().success_rate == 0.0
+
+
+def test_the_command_that_shows_an_episode_again_sees_as_the_episode_did():
+    console = Console(file=io.StringIO(), width=200)
+
+    print_summary(summary(record(7, truth=False)), {}, console, "panda", "rgbd")
+
+    assert "--seed 7 --robot panda --perception rgbd" in console.file.getvalue()

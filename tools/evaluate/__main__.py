@@ -200,6 +200,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
         return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS
     seen = options.suite == "pick" and options.fault in CAMERA_FAULTS
+    seeing = "rgbd" if seen else options.perception
     if options.fault is not None and options.fault not in FAULTS and not faulted and not seen:
         messages.print(f"error: {options.fault} is a fault of the suite 'fault'", style="bold")
         return 2
@@ -209,7 +210,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             options.robot,
             options.fault,
             options.scene,
-            "rgbd" if seen else options.perception,
+            seeing,
         )
         for i in range(options.episodes)
     ]
@@ -229,7 +230,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
     if options.json is not None:
         options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
     scenes = save_scenes(summary, options.failed)
-    print_summary(summary, scenes, Console())
+    print_summary(summary, scenes, Console(), options.robot, seeing)
     return 0 if all(bar.met for bar in summary.bars()) else 1
 
 

@@ -40,8 +40,24 @@ def _scene_text(summary: Summary, record: EpisodeRecord) -> str:
     return episode_scene(record.seed, record.fault, summary.scene)
 
 
-def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console) -> None:
-    """Print demands, figures and the seeds of what went wrong."""
+def print_summary(
+    summary: Summary,
+    scenes: Mapping[int, Path],
+    console: Console,
+    robot: str = "talos",
+    seeing: str | None = None,
+) -> None:
+    """Print demands, figures and the commands that show again what went wrong.
+
+    Args:
+        summary: The figures.
+        scenes: The file of each seed's scene.
+        console: Where to.
+        robot: Whose episodes these were.
+        seeing: How it saw, when not as the scenes say.
+    """
+    unusual = "" if robot == "talos" else f" --robot {robot}"
+    unusual += "" if seeing is None else f" --perception {seeing}"
     fault = f", fault {summary.fault}" if summary.fault else ""
     table = Table(
         "", "measured", "demanded", "", title=f"{summary.suite}: {len(summary.records)} episodes{fault}"
@@ -69,7 +85,7 @@ def print_summary(summary: Summary, scenes: Mapping[int, Path], console: Console
         verdict = "so" if record.truth else "not so"
         reason = record.failure or ", ".join(record.furniture_contacts) or ("fell" if record.fell else "")
         console.print(f"seed {record.seed}: {record.outcome}, truly {verdict}. {reason}", markup=False)
-        console.print(f"    {_again(summary, record.seed, scenes)}", markup=False, soft_wrap=True)
+        console.print(f"    {_again(summary, record.seed, scenes)}{unusual}", markup=False, soft_wrap=True)
     if len(bad) > _SHOWN:
         console.print(f"and {len(bad) - _SHOWN} more, all in the JSON")
 
