@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
@@ -26,6 +26,8 @@ _STACKED = 0.4
 _OVERLAP = 0.85
 """Two things whose middles are nearer than this share of both half widths would reach into each other."""
 _WITHIN_M = 0.01
+_ALL_OF_IT = 0.9
+"""What is longer and wider than this share of a thing is all of it, or nearly so."""
 _HOLDS, _HOLDS_M = 1.0, 0.05
 """What is wider than this share of a thing, and so much more, could hold it."""
 
@@ -87,9 +89,9 @@ def updated_scene(
     """
     groups: dict[str, list[ObjectEstimate]] = {}
     told = list(estimates)
-    doubted = {k for k, estimate in enumerate(told) if _contradicts_unsurely(estimate, scene, before)}
-    seen_now = [estimate for k, estimate in enumerate(told) if k not in doubted]
-    something = [told[k] for k in sorted(doubted)]
+    known_by = [_badly_seen(estimate, scene, before) for estimate in told]
+    seen_now = [estimate for estimate, name in zip(told, known_by, strict=True) if name is None]
+    something = [estimate for estimate, name in zip(told, known_by, strict=True) if name is not None]
     for estimate in seen_now:
         groups.setdefault(words_for(estimate), []).append(estimate)
     objects: dict[str, SceneObject] = {}
@@ -105,12 +107,16 @@ def updated_scene(
             if name in matched:
                 continue
             moved = bool(strangers) and (may_have_moved or is_name(name))
-            there = could_be_unseen(item) or _place_taken(item, something)
+            there = could_be_unseen(item) or name in known_by or _place_taken(item, something)
             hidden = not moved and there and not _place_taken(item, seen_now)
             partial = name in before and before[name].cut and _is_part(before[name], seen_now)
             stays = hidden and not partial if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
+                parts = [part for part, of in zip(told, known_by, strict=True) if of == name]
+                sure = [part for part in parts if part.confidence >= SURE and words_for(part) == words]
+                if sure:
+                    seen[name] = _as_known(before.get(name, sure[0]), item)
         taken = {*objects, *matched, *scene.attached, *reserved}
         for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
@@ -122,40 +128,49 @@ def updated_scene(
     return SceneUpdate(scene.with_objects(objects.values()), seen)
 
 
+def _as_known(estimate: ObjectEstimate, item: SceneObject) -> ObjectEstimate:
+    """A sighting of a thing of which no more than a part is seen now: it is still as it is known to be."""
+    return replace(estimate, odom_T_object=item.world_T_object, shape=item.shape)
+
+
 def _well_seen(estimate: ObjectEstimate) -> bool:
     """Whether a sighting is sure of itself, and of all of the thing."""
     return estimate.confidence >= SURE and not estimate.cut
 
 
-def _contradicts_unsurely(
+def _badly_seen(
     estimate: ObjectEstimate, scene: PlanningScene, before: Mapping[str, ObjectEstimate]
-) -> bool:
-    """Whether a sighting, unsure of itself, of its kind or its size, is where something is known to be.
+) -> str | None:
+    """The known thing that a sighting is of which is unsure of itself, its kind or its size; None for none.
 
     Half of a cup, the other half behind a hand or cut by the picture's edge, looks like a box, or like a
     lower cup, and one wall of an open box like a board.
     """
-    unsure = not _well_seen(estimate)
-    if estimate.category != "object" or not (unsure or estimate.alike):
-        return False
+    if estimate.category != "object" or not (estimate.confidence < SURE or estimate.cut or estimate.alike):
+        return None
     words = words_for(estimate)
     for name, item in scene.objects.items():
         if not item.movable:
             continue
         known_well = name in before and _well_seen(before[name])
+        partial = estimate.cut and not _as_large(estimate, item)
         no_larger = known_well or _length_m(estimate.shape) < _length_m(item.shape)
-        if estimate.cut and no_larger and _may_be_part(estimate, item.shape, item.world_T_object):
-            return True
+        if partial and no_larger and _may_be_part(estimate, item.shape, item.world_T_object):
+            return name
+        unsure = estimate.confidence < SURE or partial
         if kind_of(name) != words:
             label = item.label
             doubted = unsure or (label is not None and estimate.may_be(label.kind, label.color))
             if doubted and _same_place(item, estimate) and not _could_hold(item, estimate):
-                return True
-        elif not unsure:
-            continue
-        elif known_well and (_same_place(item, estimate) or _is_within(estimate, item)):
-            return True
-    return False
+                return name
+        elif unsure and known_well and (_same_place(item, estimate) or _is_within(estimate, item)):
+            return name
+    return None
+
+
+def _as_large(estimate: ObjectEstimate, item: SceneObject) -> bool:
+    """Whether what is seen of a thing is about as long and wide as it is known to be."""
+    return all(size_m(estimate.shape) > _ALL_OF_IT * size_m(item.shape) for size_m in (_width_m, _length_m))
 
 
 def _is_part(part: ObjectEstimate, seen: Iterable[ObjectEstimate]) -> bool:
@@ -175,8 +190,14 @@ def _may_be_part(part: ObjectEstimate, shape: Shape, world_T_shape: Transform) -
 
 
 def _place_taken(item: SceneObject, seen: Iterable[ObjectEstimate]) -> bool:
-    """Whether something is seen where a thing was believed to be: two are never at one place."""
-    return any(estimate.category == "object" and _same_place(item, estimate) for estimate in seen)
+    """Whether something is seen where a thing was believed to be: two are never at one place.
+
+    What may lie in it takes no place of its own.
+    """
+    return any(
+        estimate.category == "object" and _same_place(item, estimate) and not _could_hold(item, estimate)
+        for estimate in seen
+    )
 
 
 def _same_place(item: SceneObject, estimate: ObjectEstimate) -> bool:

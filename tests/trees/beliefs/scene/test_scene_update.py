@@ -266,6 +266,19 @@ def test_a_wall_of_an_open_box_that_the_picture_cuts_off_is_no_thing_in_it(middl
 
 
 @pytest.mark.requirement("P2")
+def test_a_box_of_which_the_picture_shows_a_part_is_seen_with_what_is_in_it():
+    box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
+    before = look(PlanningScene(), box).scene
+    half = replace(seen("box", "brown", at=(0.5, 0.06, 0.94), shape=Box((0.17, 0.07, 0.07))), cut=True)
+    can = seen("can", at=(0.5, 0.03, 0.95), shape=Cylinder(0.027, 0.11))
+
+    update = updated_scene(before, [half, can], POLICY, lambda _: True, before={"brown box": box})
+
+    assert update.seen["brown box"].shape == box.shape
+    assert set(update.scene.objects) == {"brown box", "red can"}
+
+
+@pytest.mark.requirement("P2")
 @pytest.mark.parametrize(("cut", "count"), [(True, 1), (False, 2)])
 def test_what_was_cut_off_is_a_part_of_what_is_seen_whole_where_it_was(cut, count):
     box = seen("box", "brown", at=(0.5, 0.0, 0.94), shape=Box((0.17, 0.19, 0.07)))
