@@ -225,7 +225,7 @@ def _stacked(item: SceneObject, estimate: ObjectEstimate) -> bool:
 
 def _could_hold(item: SceneObject, estimate: ObjectEstimate) -> bool:
     """Whether a thing is so wide that what is seen may lie in it, and is as unsure for that."""
-    return _width_m(item.shape) > _width_m(estimate.shape) + _HOLDS_M
+    return _width_m(item.shape) > _length_m(estimate.shape) + _HOLDS_M
 
 
 def _is_within(estimate: ObjectEstimate, item: SceneObject) -> bool:

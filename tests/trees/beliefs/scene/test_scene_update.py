@@ -335,6 +335,19 @@ def test_what_is_seen_unsurely_in_a_bowl_is_no_contradiction_to_the_bowl():
 
 
 @pytest.mark.requirement("P2")
+def test_what_is_as_long_as_a_bowl_is_wide_is_the_bowl_seen_badly():
+    bowl = seen("bowl", "white", at=(0.5, 0.0, 0.94), shape=Cylinder(0.086, 0.081))
+    before = look(PlanningScene(), bowl).scene
+    box = seen("box", "white", at=(0.5, -0.027, 0.94), shape=Box((0.11, 0.165, 0.081)))
+
+    update = updated_scene(
+        before, [replace(box, confidence=0.27)], POLICY, lambda _: True, before={"white bowl": bowl}
+    )
+
+    assert set(update.scene.objects) == {"white bowl"}
+
+
+@pytest.mark.requirement("P2")
 def test_what_is_seen_to_be_one_kind_or_the_other_stays_the_one_that_is_known():
     """A cup of which the picture's edge cuts off the top is a can as well."""
     before = look(PlanningScene(), seen("cup")).scene
