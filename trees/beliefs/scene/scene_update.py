@@ -114,9 +114,9 @@ def updated_scene(
             if stays:
                 objects[name] = item
                 parts = [part for part, of in zip(told, known_by, strict=True) if of == name]
-                sure = [part for part in parts if part.confidence >= SURE and words_for(part) == words]
-                if sure:
-                    seen[name] = _as_known(before.get(name, sure[0]), item)
+                alike = [part for part in parts if words_for(part) == words]
+                if alike:
+                    seen[name] = _as_known(before.get(name, alike[0]), item)
         taken = {*objects, *matched, *scene.attached, *reserved}
         for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
