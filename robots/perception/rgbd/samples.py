@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -59,6 +59,10 @@ class Samples(InFloat64):
     cut: Array
     border: Array
     topless: Array
+
+    def only(self, which: NDArray[np.bool_]) -> Samples:
+        """Of some pieces alone; ``which`` has shape (k,)."""
+        return Samples(*(getattr(self, part.name)[which] for part in fields(self)))
 
 
 def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:

@@ -16,6 +16,8 @@ from robots.perception.rgbd.surfaces import Surface, inside
 LEAST_ABOVE_M = 0.006
 LEAST_SIGMAS = 2.5
 TALLEST_M = 0.45
+UNSEEN_M = 0.15
+"""So far a surface may go on beyond the picture, where the top of what stands there is still in it."""
 JUMP_M = 0.012
 JUMP_SIGMAS = 6.0
 LEAST_PIXELS = 60
@@ -46,8 +48,26 @@ def above(cloud: Cloud, surface: Surface) -> Mask:
     height = cloud.z - np.float32(surface.height_m)
     least = np.maximum(np.float32(LEAST_ABOVE_M), np.float32(LEAST_SIGMAS) * cloud.sigma_m)
     candidates: Mask = cloud.there & (height > least) & (height < np.float32(TALLEST_M))
-    candidates[candidates] = inside(surface, cloud.x[candidates], cloud.y[candidates])
+    x, y = cloud.x[candidates], cloud.y[candidates]
+    over = inside(surface, x, y)
+    beside = ~over
+    beside[beside] = inside(surface, x[beside], y[beside], UNSEEN_M)
+    over[beside] = _beyond_the_picture(cloud, x[beside], y[beside], surface.height_m)
+    candidates[candidates] = over
     return candidates
+
+
+def _beyond_the_picture(
+    cloud: Cloud, x: NDArray[np.float32], y: NDArray[np.float32], z_m: float
+) -> NDArray[np.bool_]:
+    """Which places are not in the picture: who stands there hides no more of a surface than the edge does."""
+    places = np.column_stack([x, y, np.full(len(x), z_m, np.float32)])
+    camera = cloud.odom_T_camera
+    pixels = cloud.picture.pixels_of((places - camera[:3, 3]) @ camera[:3, :3])
+    rows, columns = cloud.depth_m.shape
+    return np.asarray(
+        (pixels[:, 0] < 0) | (pixels[:, 0] >= columns) | (pixels[:, 1] < 0) | (pixels[:, 1] >= rows)
+    )
 
 
 def segment(cloud: Cloud, mask: Mask, tint: NDArray[np.float32]) -> Segments:

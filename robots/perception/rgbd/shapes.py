@@ -96,9 +96,10 @@ def find_solids(cloud: Cloud, samples: Samples) -> tuple[list[Solid], NDArray[np
     outside = samples.weight * visible_side(samples, view.middle, view.height)
     rounds = fit(replace(samples, weight=outside), round_start, cylinder_distance, slice(2, 4))
     open_odds = odds_of_open(cloud, samples, rounds)
-    rounds, bowl = _without_inside_of_bowls(cloud, replace(samples, weight=outside), rounds)
+    bowl = is_open_bowl(cloud, samples, rounds)
     open_odds = np.where(bowl, np.maximum(open_odds, _BOWL_ODDS), open_odds)
     beaker = open_odds > 0.0
+    rounds = _without_inside(replace(samples, weight=outside), rounds, beaker)
     boxes = fit(samples, _box_starts(samples, view), box_distance, slice(3, 6), (3, 4))
     boxes, crate = _without_insides(cloud, samples, boxes, view)
     ball_start = np.column_stack([view.middle, 0.5 * view.height])
@@ -153,16 +154,15 @@ def _without_insides(
     return boxes, crate
 
 
-def _without_inside_of_bowls(cloud: Cloud, samples: Samples, rounds: Fit) -> tuple[Fit, NDArray[np.bool_]]:
-    """The round things, with wide open ones fitted to their outside alone, and which these are."""
-    bowl = is_open_bowl(cloud, samples, rounds)
-    if not bowl.any():
-        return rounds, bowl
-    on, _ = cylinder_distance(samples.points, rounds.parameters, False)
-    inside = on < -np.maximum(_WALL_M, 3.0 * samples.sigma_m)
-    outside = np.where(bowl[:, None], samples.weight * ~inside, samples.weight)
-    again = fit(replace(samples, weight=outside), rounds.parameters, cylinder_distance, slice(2, 4))
-    return _where(bowl, again, rounds), bowl
+def _without_inside(samples: Samples, rounds: Fit, beaker: NDArray[np.bool_]) -> Fit:
+    """The round things, with those that are open at the top fitted to their outside alone."""
+    if not beaker.any():
+        return rounds
+    some, first = samples.only(beaker), rounds.parameters[beaker]
+    on, _ = cylinder_distance(some.points, first, False)
+    inside = on < -np.maximum(_WALL_M, 3.0 * some.sigma_m)
+    again = fit(replace(some, weight=some.weight * ~inside), first, cylinder_distance, slice(2, 4))
+    return rounds.with_some(beaker, again)
 
 
 def _where(which: NDArray[np.bool_], then: Fit, now: Fit) -> Fit:

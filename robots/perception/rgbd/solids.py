@@ -7,7 +7,7 @@ steps with weights that leave outliers out.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Protocol
 
 import numpy as np
@@ -57,6 +57,15 @@ class Fit(InFloat64):
     covariance: Array
     score: Array
     points_m: Array
+
+    def with_some(self, which: NDArray[np.bool_], anew: Fit) -> Fit:
+        """With some things, ``which`` has shape (k,), as they were fitted anew."""
+        made = []
+        for part in fields(self):
+            values = getattr(self, part.name).copy()
+            values[which] = getattr(anew, part.name)
+            made.append(values)
+        return Fit(*made)
 
 
 def cylinder_distance(points: Array, parameters: Array, slopes: bool = True) -> tuple[Array, Array]:

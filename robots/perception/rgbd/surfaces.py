@@ -68,14 +68,16 @@ def find_surfaces(cloud: Cloud) -> tuple[Cloud, tuple[Surface, ...], float]:
     return cloud, tuple(_surfaces(cloud, tuple(surface.pixels for surface in found))), tilt
 
 
-def inside(surface: Surface, x: NDArray[np.float32], y: NDArray[np.float32]) -> NDArray[np.bool_]:
+def inside(
+    surface: Surface, x: NDArray[np.float32], y: NDArray[np.float32], room_m: float = HULL_ROOM_M
+) -> NDArray[np.bool_]:
     """Which places are over a surface, or a little beside what is visible of it; any shape."""
-    low = surface.hull.min(axis=0) - 2.0 * HULL_ROOM_M
-    size = np.ceil((surface.hull.max(axis=0) + 2.0 * HULL_ROOM_M - low) / _CELL_M).astype(int) + 1
+    low = surface.hull.min(axis=0) - 2.0 * room_m
+    size = np.ceil((surface.hull.max(axis=0) + 2.0 * room_m - low) / _CELL_M).astype(int) + 1
     grid = np.zeros((size[1], size[0]), np.uint8)
     corners = np.round((surface.hull - low) / _CELL_M).astype(np.int32)
     cv2.fillConvexPoly(grid, corners, 1)
-    wide = 2 * round(HULL_ROOM_M / _CELL_M) + 1
+    wide = 2 * round(room_m / _CELL_M) + 1
     grid = cv2.dilate(grid, np.ones((wide, wide), np.uint8))
     column = np.clip(((x - np.float32(low[0])) / np.float32(_CELL_M)).astype(np.int32), -1, size[0])
     row = np.clip(((y - np.float32(low[1])) / np.float32(_CELL_M)).astype(np.int32), -1, size[1])
