@@ -111,9 +111,7 @@ def confidences(
     )
     by_name = np.array([RIGHT.get(name, 0.0) for name in FEATURES])
     right = _share(RIGHT["constant"] + evidence @ by_name)
-    right *= [
-        1.0 if "sides" in solid.measured or solid.margin > _CLEAR else _BY_ITS_TOP for solid in solids
-    ]
+    right *= [1.0 if "sides" in solid.measured or solid.margin > _CLEAR else _BY_ITS_TOP for solid in solids]
     return Belief(right, _share(THERE[0] + evidence @ np.array(THERE[1:])), evidence)
 
 

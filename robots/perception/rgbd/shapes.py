@@ -146,9 +146,10 @@ def _without_insides(
         crate |= ((share > _HOLLOW_SHARE) & wide) | is_open_box(cloud, samples, boxes)
         if not crate.any():
             break
-        outside = np.where(crate[:, None], samples.weight * ~deep, samples.weight)
-        again = fit(replace(samples, weight=outside), boxes.parameters, box_distance, slice(3, 6), (3, 4))
-        boxes = _where(crate, again, boxes)
+        some = samples.only(crate)
+        outside = replace(some, weight=some.weight * ~deep[crate])
+        again = fit(outside, boxes.parameters[crate], box_distance, slice(3, 6), (3, 4))
+        boxes = boxes.with_some(crate, again)
     # a rim is too thin for a fit; the highest points are its own
     boxes.parameters[crate, 5] = view.height[crate]
     return boxes, crate
@@ -163,17 +164,6 @@ def _without_inside(samples: Samples, rounds: Fit, beaker: NDArray[np.bool_]) ->
     inside = on < -np.maximum(_WALL_M, 3.0 * some.sigma_m)
     again = fit(replace(some, weight=some.weight * ~inside), first, cylinder_distance, slice(2, 4))
     return rounds.with_some(beaker, again)
-
-
-def _where(which: NDArray[np.bool_], then: Fit, now: Fit) -> Fit:
-    """One fit of some things, the other of the rest."""
-    pairs = (
-        (then.parameters, now.parameters),
-        (then.covariance, now.covariance),
-        (then.score, now.score),
-        (then.points_m, now.points_m),
-    )
-    return Fit(*(np.where(which.reshape(-1, *[1] * (b.ndim - 1)), a, b) for a, b in pairs))
 
 
 @dataclass(frozen=True, slots=True)

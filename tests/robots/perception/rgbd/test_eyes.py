@@ -7,6 +7,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.perception.rgbd.eyes import LEAST_THERE, Eyes, as_frame
+from robots.perception.rgbd.shapes import CUT_SHARE
 from robots.scenes.scene_description import Furniture
 
 RED, BLUE, GREEN = (217, 26, 20), (31, 77, 204), (38, 153, 51)
@@ -196,6 +197,20 @@ def test_a_camera_that_was_knocked_is_corrected_by_what_is_level_and_tells_its_t
     (thing,) = seen.things
     assert as_frame(seen, picture, 1).tilt_rad == pytest.approx(tilt_rad, abs=0.002)
     assert thing.solid.place_m[:2] == pytest.approx(at, abs=0.003)
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("away_m", [0.34, 0.36, 0.38])
+def test_a_bottle_whose_foot_is_below_the_picture_is_a_bottle(take, away_m):
+    """The table before it is not in the picture either."""
+    bottle = (Cylinder(0.032, 0.18), away_m, 0.0, 0.0, WHITE)
+    place = poses.transform(_camera(tilt_rad=0.75)[:3, :3], (0.15, 0.0, 1.4))
+
+    (thing,) = Eyes().look(take([bottle], place=place)).things
+
+    assert thing.solid.form == "cylinder"
+    assert thing.solid.border > CUT_SHARE
+    np.testing.assert_allclose(thing.solid.place_m[:2], (away_m, 0.0), atol=0.006)
 
 
 def test_what_is_unsure_is_told_with_its_picture(take):
