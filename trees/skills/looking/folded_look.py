@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import elbow_frame
 from kinematics.scene.namespace import reserved_names
@@ -50,14 +51,18 @@ def not_in_hand(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> list[O
 
     What is nearer than ``same_object_m`` to what is held is that. So is what looks like it, hangs in the air
     and is nearer than ``slid_m``: it has slid in the hand, or was seen while an encoder was off. Believed as
-    a second one it would bar every way of that hand.
+    a second one it would bar every way of that hand. What is seen to be taller reaches as far as the held
+    thing does: where the hand hides its foot it seems to stand on the table.
     """
     scene, policy = toolbox.world.scene, toolbox.policy
     if not scene.attached:
         return list(estimates)
     q = toolbox.sensing.state().q
     held = {
-        name: (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
+        name: (
+            (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3],
+            body.body.shape.height_m,
+        )
         for name, body in scene.attached.items()
     }
     around = _with_furniture(scene, estimates, policy)
@@ -65,11 +70,18 @@ def not_in_hand(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> list[O
         estimate
         for estimate in estimates
         if all(
-            float(np.linalg.norm(estimate.odom_T_object[:3, 3] - place))
+            _apart_m(estimate, place, scene.attached[name].body.shape.height_m)
             > (policy.slid_m if _hangs_like(name, estimate, around, policy) else policy.same_object_m)
             for name, place in held.items()
         )
     ]
+
+
+def _apart_m(estimate: ObjectEstimate, place: Array, height_m: float) -> float:
+    """How far a thing of some height is from where it could be within what is seen to be at least as tall."""
+    x, y, z = (estimate.odom_T_object[:3, 3] - place).tolist()
+    within_m = max(0.5 * (estimate.shape.height_m - height_m), 0.0)
+    return float(np.hypot(np.hypot(x, y), max(abs(z) - within_m, 0.0)))
 
 
 def _hangs_like(held: str, estimate: ObjectEstimate, around: PlanningScene, policy: TreePolicy) -> bool:

@@ -61,3 +61,15 @@ def test_what_stands_near_the_held_thing_is_another_one(holding, hand_m):
 
 def test_with_empty_hands_everything_is_seen(stage):
     assert len(not_in_hand(stage.toolbox, [seen((0.4, -0.2, 1.0))])) == 1
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("aside_m", "is_another"), [(0.0, False), (0.12, True)])
+def test_what_seems_to_reach_from_the_hand_down_to_the_table_is_the_held_thing(
+    holding, hand_m, aside_m, is_another
+):
+    pose = poses.translation(hand_m[0] + aside_m, hand_m[1], hand_m[2] - 0.08)
+    tall = ObjectEstimate("object", "bottle", "red", pose, Cylinder(0.03, 0.27), 0.9, 8, 0.003)
+    top = seen_top(pose[:3, 3], pose[2, 3] - 0.135)
+
+    assert (tall in not_in_hand(holding.toolbox, [tall, top])) == is_another
