@@ -59,10 +59,7 @@ def not_in_hand(toolbox: Toolbox, estimates: Sequence[ObjectEstimate]) -> list[O
         return list(estimates)
     q = toolbox.sensing.state().q
     held = {
-        name: (
-            (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3],
-            body.body.shape.height_m,
-        )
+        name: (toolbox.model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3]
         for name, body in scene.attached.items()
     }
     around = _with_furniture(scene, estimates, policy)
