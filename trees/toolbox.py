@@ -273,6 +273,7 @@ class Toolbox:
     identity: Identity = field(default_factory=Identity)
     calendar: Calendar = field(default_factory=Calendar)
     cameras: tuple[PlacedCamera, ...] = ()
+    people: frozenset[str] = frozenset()
 
     @property
     def can_walk(self) -> bool:

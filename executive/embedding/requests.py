@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from contextlib import nullcontext
 from typing import Any
 
 from executive.embedding.ticket import Ticket
@@ -44,8 +43,8 @@ class Requests:
             timeout_s: Simulated time that each task may take; None is the usual.
         """
         text = request if isinstance(request, str) else json.dumps(request)
-        labels = self._session.toolbox.detector.labels
-        with nullcontext() if labels is None else words_of_the_place(labels):
+        toolbox = self._session.toolbox
+        with words_of_the_place(toolbox.detector.labels, toolbox.people):
             statement = Statement.of(self._conversation.understand(text, trust))
         self._last = Ticket(self._session, statement, self._last, on_question, timeout_s)
         return self._last

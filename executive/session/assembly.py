@@ -26,7 +26,7 @@ from robots.models.description import load_robot_for_tasks
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.place_map import place_map
 from robots.scenes.planned_fault import PlannedFault
-from robots.scenes.scene_description import SceneDescription
+from robots.scenes.scene_description import SceneDescription, names_of_people
 from robots.seeded import Seeded
 from robots.simulated.eyes import SimulatedPerception, placed_cameras, simulated_perception
 from robots.simulated.fault_plan import plan_fault
@@ -172,6 +172,7 @@ def assemble(
         on_tick=on_tick,
         identity=identity,
         calendar=calendar,
+        people=names_of_people(scene),
     )
     return Assembly(world, session, loop, perception, planning, model, clock, supervisor)
 

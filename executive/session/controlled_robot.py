@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -87,6 +87,7 @@ def session_on(
     on_tick: Callable[[TaskTree], None] | None = None,
     identity: Identity | None = None,
     calendar: Calendar | None = None,
+    people: Collection[str] = (),
 ) -> tuple[Session, Supervisor]:
     """Put a session on a robot, with a toolbox for its trees and somebody who supervises it.
 
@@ -104,6 +105,7 @@ def session_on(
         on_tick: Called after each tick of a tree.
         identity: What it says of itself; nothing when left out.
         calendar: What day and time it is; the usual beginning of a simulated day when left out.
+        people: What the people of the place are called, so that their names are understood.
     """
     hub = sink if isinstance(sink, EventHub) else EventHub(sink)
 
@@ -133,6 +135,7 @@ def session_on(
         identity=identity or Identity(),
         calendar=calendar or Calendar(),
         cameras=robot.cameras,
+        people=frozenset(people),
     )
     supervisor = Supervisor(robot.guard, robot.clock, hub)
     session = Session(

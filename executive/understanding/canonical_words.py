@@ -14,7 +14,7 @@ from executive.language.commands.moving import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
-from executive.vocabulary.place_words import place_words
+from executive.vocabulary.place_words import PlaceWords, place_words
 from robots.scenes.scene_words import nearest_word
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
 
@@ -177,6 +177,5 @@ def vocabulary() -> Vocabulary:
 
 
 @lru_cache(maxsize=4)
-def _vocabulary(things: tuple[str, ...]) -> Vocabulary:
-    shipped = load_vocabulary((), cache_directory())
-    return shipped.with_things(things) if things else shipped
+def _vocabulary(place: PlaceWords) -> Vocabulary:
+    return load_vocabulary((), cache_directory()).of_place(place.things, place.people)

@@ -24,7 +24,7 @@ from executive.language.text.tokens import MalformedTextError, normalise, pieces
 from executive.language.text.word import Piece
 from executive.meaning import Command, Parsed, Question, Refusal, wording
 from executive.vocabulary import Vocabulary, load_vocabulary
-from executive.vocabulary.place_words import place_words
+from executive.vocabulary.place_words import NOWHERE, PlaceWords, place_words
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 
@@ -67,18 +67,18 @@ def parse_selection(text: str) -> ObjectDescription | None:
 
 
 @lru_cache(maxsize=4)
-def parser_with(user_files: tuple[Path, ...] = (), things: tuple[str, ...] = ()) -> CommandParser:
+def parser_with(user_files: tuple[Path, ...] = (), place: PlaceWords = NOWHERE) -> CommandParser:
     """The parser with a user's own words, and those of a place.
 
     Args:
         user_files: Word lists of the user's.
-        things: What the things of the place are called, in lower case.
+        place: What its things and its people are called.
 
     Raises:
         VocabularyError: A file of words is malformed.
     """
     vocabulary = load_vocabulary(user_files, cache_directory())
-    return CommandParser(vocabulary.with_things(things) if things else vocabulary, _rules())
+    return CommandParser(vocabulary.of_place(place.things, place.people), _rules())
 
 
 @lru_cache(maxsize=1)

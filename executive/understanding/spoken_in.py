@@ -1,4 +1,4 @@
-"""Where something is said: the things of a scene have names that are understood there."""
+"""Where something is said: things and people of a scene have names that are understood there."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from executive.vocabulary.place_words import words_of_the_place
 
 @contextmanager
 def spoken_in(scene: str | None) -> Iterator[None]:
-    """Let what is said within be understood by the names of a scene's things, too.
+    """Let what is said within be understood by the names of a scene's things and people, too.
 
     Args:
         scene: Name of a scene, or path of a scene file; None: nothing is known of the place.
@@ -18,8 +18,10 @@ def spoken_in(scene: str | None) -> Iterator[None]:
     Raises:
         SceneError: There is no such scene.
     """
-    from robots.scenes.scene_description import spoken_words  # whoever only parses needs no scene
+    # whoever only parses needs no scene
+    from robots.scenes.scene_description import names_of_people, spoken_words
     from robots.scenes.scene_file import load_scene
 
-    with words_of_the_place(() if scene is None else spoken_words(load_scene(scene))):
+    place = None if scene is None else load_scene(scene)
+    with words_of_the_place(*((), ()) if place is None else (spoken_words(place), names_of_people(place))):
         yield

@@ -13,6 +13,7 @@ from typing import Any
 
 from executive.vocabulary.inflection import plural
 from executive.vocabulary.word_lists import WordClass, read_classes
+from executive.vocabulary.written import split_words
 from robots.kept import kept
 from robots.outside import VOCABULARY, outside_files
 
@@ -22,6 +23,8 @@ Words = tuple[str, ...]
 
 _THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
 """Word classes of things: what one is called, what several are called, and those with ways of their own."""
+_NAMES = ("NAME", "OWNER")
+"""What a person is called, and what is theirs."""
 _FURNITURE = ("FURNITURE", "FURNITURES")
 """What one piece is called, and several."""
 
@@ -60,6 +63,42 @@ class Vocabulary:
         """The vocabulary of some word classes."""
         return cls(*_prepared(classes))
 
+    def of_place(self, things: Sequence[str], people: Sequence[str] = ()) -> Vocabulary:
+        """The same vocabulary, and what the things and the people of a place are called.
+
+        Args:
+            things: As for ``with_things``.
+            people: As for ``with_names``.
+        """
+        known = self.with_things(things) if things else self
+        return known.with_names(people) if people else known
+
+    def with_names(self, names: Sequence[str]) -> Vocabulary:
+        """The same vocabulary, and further names of people; a word that is one is what it was besides.
+
+        Args:
+            names: As they are written: "Will", "Mary-Jane"; several words are one name.
+        """
+        added: dict[str, list[str]] = {}
+        phrases = {name: tuple(word for word, _, _ in split_words(name)) for name in names}
+        for name, words in phrases.items():
+            length, readings = self.match(words)
+            if length == len(words) and any(one.word_class == _NAMES[0] for one in readings):
+                continue
+            for ending, word_class in zip(("", "'s"), _NAMES, strict=True):
+                line = _line(" ".join(words) + ending, word_class, name)
+                added.setdefault(words[0] if len(words) > 1 else words[0] + ending, []).append(line)
+        beginnings = {
+            first: "\n".join(filter(None, (self._beginnings.get(first), *lines)))
+            for first, lines in added.items()
+        }
+        return self._with(beginnings, (phrase for phrase in phrases.values() if len(phrase) > 1))
+
+    def _with(self, beginnings: Mapping[str, str], whole: Iterable[Words]) -> Vocabulary:
+        """The same vocabulary, where some words begin other phrases."""
+        both = ChainMap(dict(beginnings), dict(self._beginnings))
+        return Vocabulary(list(self._heads.values()), both, (*self._whole, *whole))
+
     def with_things(self, words: Sequence[str]) -> Vocabulary:
         """The same vocabulary, and further words for kinds of things.
 
@@ -86,7 +125,7 @@ class Vocabulary:
         firsts = {*added, *self._first_words_of(called)}
         beginnings = {first: self._also(first, added.get(first, ()), called) for first in firsts}
         whole = (tuple(word.split()) for word in words if " " in word)
-        return Vocabulary(list(self._heads.values()), ChainMap(beginnings, dict(self._beginnings)), whole)
+        return self._with(beginnings, whole)
 
     def _first_words_of(self, furniture: Mapping[str, str]) -> Iterator[str]:
         """With what the phrases for some furniture begin."""

@@ -10,6 +10,7 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
@@ -163,10 +164,13 @@ def _aims(points: Array, worth: Array) -> list[Array]:
     aims: list[Array] = []
     while left.any() and len(aims) < MOST_AIMS:
         open_points, open_worth = points[left], worth[left]
-        apart = np.linalg.norm(open_points[:, None, :] - open_points[None, :, :], axis=2)
-        around = apart <= TOGETHER_M
-        best = int(np.argmax(around @ open_worth))
-        near = around[best]
+        worth_around = [float((open_worth * _near(open_points, one)).sum()) for one in open_points]
+        near = _near(open_points, open_points[int(np.argmax(worth_around))])
         aims.append(np.average(open_points[near], axis=0, weights=open_worth[near]))
         left[np.flatnonzero(left)[near]] = False
     return aims
+
+
+def _near(points: Array, one: Array) -> NDArray[np.bool_]:
+    """Which points are near to one of them."""
+    return np.asarray(np.linalg.norm(points - one, axis=1) <= TOGETHER_M)

@@ -265,3 +265,8 @@ def spoken_words(scene: SceneDescription) -> frozenset[str]:
         words |= {item.kind, *told_names(item.name, item.kind, item.names), *item.categories}
     own = (own_name(piece.name, piece.kind) for piece in scene.furniture)
     return frozenset({*words, *filter(None, own)})
+
+
+def names_of_people(scene: SceneDescription) -> frozenset[str]:
+    """What the people of a scene are called."""
+    return frozenset(person.name for person in scene.people)

@@ -137,9 +137,12 @@ def test_a_run_that_is_asked_to_end_halts_and_writes_all_that_was_asked_for(comm
     assert ElementTree.parse(junit).getroot().find("testsuite").get("failures") == "1"
 
 
-@each
 @pytest.mark.requirement("S7", "U1")
-@pytest.mark.parametrize("text", ["pick up something", "pick up the cup"])
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [*(("pick up something", number) for number in ALL), ("pick up the cup", signal.SIGTERM)],
+    ids=str,
+)
 def test_a_run_that_asks_is_ended_at_its_question(command, tmp_path, number, text):
     report = tmp_path / "report.json"
     run = command("run", text, "--report", report, "--scene", "dinner")
@@ -153,15 +156,22 @@ def test_a_run_that_asks_is_ended_at_its_question(command, tmp_path, number, tex
     assert document["message"] == line
 
 
-@each
-def test_a_replay_that_is_asked_to_end_is_cancelled_and_no_verdict(command, tmp_path, number):
-    said = "wait for 100 seconds, then wait for 400 seconds"  # what is replayed takes a while
-    recording = command("run", said, "--record", tmp_path / "runs")
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory):
+    """The folder of a run that was ended, and takes a while to be replayed."""
+    folder = tmp_path_factory.mktemp("recorded")
+    said = "wait for 20 seconds, then wait for 400 seconds"
+    recording = Command(folder, "run", said, "--record", folder / "runs")
     recording.until("accepted: wait for 400 s")
     recording.ended(signal.SIGTERM)
-    header = next((tmp_path / "runs").glob("*/run.json"))
+    header = next((folder / "runs").glob("*/run.json"))
     header.with_name("report.json").unlink()
-    replay = command("replay", "--record", tmp_path / "runs")
+    return folder / "runs"
+
+
+@each
+def test_a_replay_that_is_asked_to_end_is_cancelled_and_no_verdict(command, recorded, number):
+    replay = command("replay", "--record", recorded)
     replay.until("replaying")
 
     line, code = replay.ended(number)

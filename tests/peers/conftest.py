@@ -42,7 +42,7 @@ def _served(folder, domain, *options):
     command += [
         "--ordinary",
         "--pace",
-        "0.5",
+        "0.8",
         "--ros",
         "--ros-domain",
         str(domain),

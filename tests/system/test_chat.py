@@ -84,7 +84,7 @@ def chat(tmp_path):
 def test_a_question_a_failure_and_a_correction_with_a_simulated_robot(chat):
     dialogue = chat("--scene", "clutter", "--seed", "7").say("pick up the cup").until("which cup?")
     dialogue.say("the red one").until("robot: Done: ").say("pick up the blue cup with the right hand")
-    dialogue.until("robot: Failed: ").say("why", "put the cup on the table").until("what helps")
+    dialogue.until("robot: Failed: ").say("why", "look at the blue cup").until("what helps")
 
     assert dialogue.end() == 0, dialogue.text
     assert "robot: Done: red cup held" in dialogue.text

@@ -173,6 +173,26 @@ def test_where_a_wall_leaves_no_way_to_the_nearest_side_one_stands_before_anothe
     assert (stand.y_m > 0.6) == (side == "end")
 
 
+@pytest.mark.parametrize("yaw", [0.0, 1.0, -2.0])
+@pytest.mark.parametrize("behind_m", [0.02, 0.3, 0.6])
+def test_for_what_stands_far_back_on_a_shelf_one_stands_before_it_and_not_behind_at_the_wall(yaw, behind_m):
+    placed = PlanarPose(1.0, 2.0, yaw)
+
+    def fixed(name, shape, x, y, z):
+        return SceneObject(name, shape, (placed @ PlanarPose(x, y)).transform(z), movable=False)
+
+    shelf = fixed("shelf", Box((0.32, 1.1, 0.02)), 0.0, 0.0, 1.1)
+    wall = fixed("wall", Box((0.1, 5.0, 0.9)), 0.16 + behind_m + 0.05, 0.0, 0.45)
+    cup = SceneObject("cup", Cylinder(0.03, 0.1), (placed @ PlanarPose(0.09, 0.2)).transform(1.16))
+    scene = PlanningScene().with_objects([shelf, wall, cup])
+
+    stand = standing_place(
+        Place("cup", "object", cup.shape, cup.world_T_object, 1.2), scene, PlanarPose(), 0.05, ROOM
+    )
+
+    assert placed.to(stand).x_m < -0.3
+
+
 HELD = Load(from_m=0.9, front_m=0.5, back_m=-0.3, half_width_m=0.4, radius_m=0.6)
 
 

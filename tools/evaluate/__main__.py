@@ -67,6 +67,8 @@ from tools.evaluate.soak import run_soak
 from tools.evaluate.stopping.courses import COURSES_BY_NAME
 from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.summed_suite import DISTURBED_SUITES, JOG_SUITES, run_summed_suite
+from tools.evaluate.survival.survive import SURVIVE
+from tools.evaluate.survival.survive import main as survive
 
 _CAMERA_SUITES: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingProxyType(
     {PERCEPTION_SUITE: run_perception, PEOPLE_SEEN_SUITE: run_people_seen, SHOWN_SUITE: run_shown}
@@ -115,11 +117,16 @@ _RUNS: dict[str, Run] = {"question": run_question_episode, "replay": run_replay_
 """Suites whose episodes are judged like a skill's and made in a way of their own."""
 
 
+_KILLING = f"what becomes of it when something is killed: {SURVIVE} WHAT"
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a suite; 0 when every demand is met, 1 when not, 2 for a wrong option, 4 when a signal ended it."""
     given = sys.argv[1:] if arguments is None else arguments
     if given[:1] == [COMPARE]:
         return compare(given[1:])
+    if given[:1] == [SURVIVE]:
+        return survive(given[1:])
     options = _options(given)
     messages = Console(stderr=True)
     options.execution = Execution(options.suite, options.jobs, journal_of(options), options.ray)
@@ -267,7 +274,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m tools.evaluate",
         description="Random episodes, judged by the simulator's truth.",
-        epilog="\n\n".join((*lists, f"two results, pair by pair: {COMPARE} A B")) + "\n",
+        epilog="\n\n".join((*lists, f"two results, pair by pair: {COMPARE} A B", _KILLING)) + "\n",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("suite", choices=SUITES, metavar="SUITE", help="one of those below")

@@ -15,6 +15,7 @@ import viser
 from executive.doors.served_robot import RESET_IS_A_PERSONS, ServedRobot
 from executive.doors.view import panels
 from executive.doors.view.access import Access
+from executive.doors.view.folding import Folding
 from executive.doors.view.seen import Level, LogLine, Seen
 from executive.doors.view.truth_drawing import Switch
 from executive.errors import UserError
@@ -84,7 +85,8 @@ class Browser:
         self._seen = seen
         self._tell("status", self._status, panels.status_panel(seen))
         self._tell("ending", self._ending, panels.ending_panel(seen))
-        self._tell("tree", self._tree, panels.tree_panel(seen.nodes, self._search.value, self._all.value))
+        tree = self._folding.words(seen.nodes, self._search.value, self._all.value)
+        self._tell("tree", self._tree, tree)
         self._tell("log", self._log, panels.log_panel(seen.log, _LEVEL_WORDS[self._level.value]))
         if seen.question != self._question:
             self._question = seen.question
@@ -103,6 +105,7 @@ class Browser:
         with panel.add_tab("tree", viser.Icon.BINARY_TREE):
             self._search = gui.add_text("search", "")
             self._all = gui.add_checkbox("unfold all", False)
+            self._folding = Folding(gui)
             self._tree = gui.add_html("")
         with panel.add_tab("log", viser.Icon.LIST):
             self._level = gui.add_dropdown("show", tuple(_LEVEL_WORDS))

@@ -11,6 +11,7 @@ from typing import Any
 
 from executive.doors.view.recording import FirstDifference
 from executive.doors.view.seen import Level, LogLine, Seen
+from executive.doors.view.shown_lines import Line
 from executive.reports.feedback import quantity, sentence
 from executive.runs.recorded_failure import failure_from
 from executive.screens.tree_lines import GLYPHS
@@ -57,29 +58,24 @@ def running_leaf(nodes: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | None
     return running[-1] if running else None
 
 
-def tree_panel(nodes: Sequence[Mapping[str, Any]], search: str = "", unfolded: bool = False) -> str:
+def tree_panel(lines: Sequence[Line]) -> str:
     """The tree, a node a line.
 
     Args:
-        nodes: From the root down, with their depths.
-        search: Shows only nodes with these letters in name or message, and what they are in.
-        unfolded: Whether branches that are over, or have not begun, show what is in them.
+        lines: Those that are shown, from the root down.
     """
-    kept = _matching(nodes, search) if search.strip() else nodes if unfolded else _folded(nodes)
-    leaf = running_leaf(nodes)
-    return _block((_node(node, node is leaf) for node in kept), _SCROLLS)
+    leaf = running_leaf([line.node for line in lines])
+    return _block((_node(line, line.node is leaf) for line in lines), _SCROLLS)
 
 
-def _folded(nodes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Without what is in branches that have succeeded or have not begun."""
-    kept: list[Mapping[str, Any]] = []
-    closed_at: int | None = None
-    for node in nodes:
-        if closed_at is not None and node["depth"] > closed_at:
-            continue
-        closed_at = int(node["depth"]) if node["status"] in ("idle", "success") and node["depth"] else None
-        kept.append(node)
-    return kept
+def found_panel(nodes: Sequence[Mapping[str, Any]], search: str) -> str:
+    """Nodes that are searched for, and what they are in.
+
+    Args:
+        nodes: From the root down, with their depths.
+        search: Letters in their names or messages.
+    """
+    return tree_panel([Line(node, "", branch=False, open=True) for node in _matching(nodes, search)])
 
 
 def _matching(nodes: Sequence[Mapping[str, Any]], search: str) -> list[Mapping[str, Any]]:
@@ -93,14 +89,16 @@ def _matching(nodes: Sequence[Mapping[str, Any]], search: str) -> list[Mapping[s
     return [nodes[i] for i in sorted(shown)]
 
 
-def _node(node: Mapping[str, Any], current: bool) -> str:
+def _node(line: Line, current: bool) -> str:
+    node = line.node
     status = str(node["status"])
     color = _STATUS_COLORS.get(status, "inherit")
     message = escape(str(node["message"])) if status != "idle" else ""
     weight = "font-weight:600;background:rgba(28,126,214,.14);" if current else ""
+    folded = ' <span style="opacity:.6">\u25b8</span>' if line.branch and not line.open else ""
     return (
         f'<span style="display:block;{weight}padding-left:{10 * int(node["depth"])}px">'
-        f'<span style="color:{color}">{GLYPHS.get(status, "?")} {escape(str(node["name"]))}</span> '  # type: ignore[call-overload]
+        f'<span style="color:{color}">{GLYPHS.get(status, "?")} {escape(str(node["name"]))}</span>{folded} '  # type: ignore[call-overload]
         f'<span style="opacity:.75">{message}</span></span>'
     )
 

@@ -11,6 +11,7 @@ from typing import Any
 import viser
 
 from executive.doors.view import panels
+from executive.doors.view.folding import Folding
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, first_difference
 from executive.doors.view.shown_run import Beside, ShownRun
@@ -114,7 +115,7 @@ class Timeline:
                 tell("status", panels.status_panel(seen))
                 tell("question", "" if seen.question is None else panels.question_panel(seen.question, True))
                 tell("ending", panels.ending_panel(seen))
-                tell("tree", panels.tree_panel(seen.nodes, self._search.value, self._all.value))
+                tell("tree", tell.folding.words(seen.nodes, self._search.value, self._all.value))
                 tell("log", panels.log_panel(seen.log))
             if abs(self._slider.value - t_s) > _STEP_S:
                 self._moving = True
@@ -198,6 +199,7 @@ class Timeline:
                     self._all = gui.add_checkbox("unfold all", False)
                     for one in (self._search, self._all):
                         one.on_update(lambda _event: self._again())
+                words.folding = Folding(gui, self._again)
                 words.handles["tree"] = gui.add_html("")
             with panel.add_tab(f"log{which}", viser.Icon.LIST):
                 words.handles["log"] = gui.add_html("")
@@ -218,6 +220,8 @@ class Timeline:
 
 class _Words:
     """What the page tells in words of one run; what has not changed is not sent."""
+
+    folding: Folding
 
     def __init__(self) -> None:
         self.handles: dict[str, viser.GuiHtmlHandle] = {}

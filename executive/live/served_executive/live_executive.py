@@ -7,8 +7,6 @@ from functools import partial
 from pathlib import Path
 from typing import IO, Any, cast
 
-import numpy as np
-
 from executive.config import config_files
 from executive.dialogue.settle_words import settled
 from executive.errors import NotWritableError, TrajectoryFileError
@@ -28,6 +26,7 @@ from executive.live.jog_message import word_of
 from executive.live.served_executive.desk import Desk, Order, name_of, question_json, statements_of
 from executive.live.served_executive.desk import Said as DeskOrder
 from executive.live.served_executive.given_trajectory import load_joint_motion
+from executive.live.served_executive.known_place import known_of
 from executive.live.served_executive.live_attendant import LiveAttendant
 from executive.live.told_as_json import scene_json, tree_json
 from executive.live.world_as_json import believed_json
@@ -51,14 +50,10 @@ from executive.understanding.statement import Statement
 from executive.vocabulary.place_words import words_of_the_place
 from kinematics.model.robot_model import RobotModel
 from robots.clock import local_time
-from robots.errors import SceneError
 from robots.live.documents.camera_message import cameras_of
 from robots.live.wire.connection import Connection
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.unix_socket import UnixSocket
-from robots.perception.place_map import place_map
-from robots.scenes.scene_description import Region
-from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
 from trees.build import TaskTree
 from trees.failures import Failure
@@ -137,7 +132,7 @@ class LiveExecutive:
             see_offer=link.offer,
             cameras=tuple(map(in_canonical_words, placed)),
         )
-        places = _places(str(link.about["scene"]), chance.places)
+        places, people = known_of(str(link.about["scene"]), chance.places)
         settings = robot_settings(config_files())
         began = settings.begins or local_time()
         self._session, self._supervisor = session_on(
@@ -150,6 +145,7 @@ class LiveExecutive:
             on_tick=self._show,
             identity=settings.identity,
             calendar=Calendar(began, served.clock.now_s()),
+            people=people,
         )
         self._engaged = False
 
@@ -166,7 +162,8 @@ class LiveExecutive:
                 self._meanwhile()
                 continue
             try:
-                with words_of_the_place(self._session.toolbox.detector.labels or ()):
+                toolbox = self._session.toolbox
+                with words_of_the_place(toolbox.detector.labels or (), toolbox.people):
                     self._carry_out(order)
             finally:
                 self._desk.finish()
@@ -390,11 +387,3 @@ class _LineStream:
 def _is_stop(text: str) -> bool:
     commands = parse(text).commands
     return len(commands) == 1 and isinstance(commands[0], StopCommand)
-
-
-def _places(scene: str, rng: np.random.Generator) -> Mapping[str, Region]:
-    """The map of the rooms; empty where the scene's file is not there for this process."""
-    try:
-        return place_map(load_scene(scene), rng)
-    except SceneError:
-        return {}

@@ -171,6 +171,26 @@ class WalkingRoom:
         """
         return self._meets(self._hands, scene, way, spare_m)
 
+    def hands_meet_seen(self, points: Array, way: Sequence[PlanarPose], spare_m: float) -> bool:
+        """The same of what was seen and may be known to nobody.
+
+        Args:
+            points: Where something as tall as the hands was seen, in the scene's frame, shape (n, 2).
+            way, spare_m: As for ``hands_meet``.
+        """
+        hands, around_m = self._hands, self._hands.turning_m - self._settings.sway_m + spare_m
+        middles = np.array([(body.x_m, body.y_m) for body in way])
+        if not len(points):
+            return False
+        apart = points[None, :, :] - middles[:, None, :]
+        near = np.hypot(apart[..., 0], apart[..., 1]) <= around_m
+        which, _ = np.nonzero(near)
+        yaw = np.array([body.yaw_rad for body in way])[which]
+        east, north = apart[near].T
+        ahead, aside = np.cos(yaw) * east + np.sin(yaw) * north, np.cos(yaw) * north - np.sin(yaw) * east
+        inside = (ahead <= hands.front_m + spare_m) & (ahead >= -hands.back_m - spare_m)
+        return bool(np.any(inside & (np.abs(aside) <= hands.half_width_m + spare_m)))
+
     def load_meets(self, scene: PlanningScene, way: Sequence[PlanarPose], spare_m: float = 0.0) -> bool:
         """Whether what is held comes to furniture that stands higher, where the body goes and turns.
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -71,6 +72,7 @@ class WayFinder:
         straight_m: How long the last stretch is straight ahead, where there is room for that.
         if_hands_fit: Take no way on which a hand meets something, if the arms can be drawn in: that is done
             first then.
+        tall: Of the points those where something is as tall as the hands, shape (n, 2).
     """
 
     settings: WalkingSettings
@@ -79,6 +81,7 @@ class WayFinder:
     points: Array
     straight_m: float
     if_hands_fit: bool = False
+    tall: Array = field(default_factory=lambda: np.zeros((0, 2)))
 
     def find(self, body: PlanarPose, goal: PlanarPose) -> Way | NoWay:
         """The way that leaves the most beside the hands, and of those the farthest from things.
@@ -123,15 +126,18 @@ class WayFinder:
     def _spares_m(self, body: PlanarPose) -> tuple[float | None, ...]:
         """What to leave beside the hands, the more the better; None where they have to get by as they can."""
         if self.room.tucked:
-            crowded = self.room.hands_meet(self.scene, [body], BESIDE_TUCKED_M[-1])
-            return (None,) if crowded else BESIDE_TUCKED_M
+            return (None,) if self._hands_meet([body], BESIDE_TUCKED_M[-1]) else BESIDE_TUCKED_M
         return (BESIDE_HANDS_M,) if self.if_hands_fit and self.room.can_tuck else (None,)
 
     def _hands_pass(self, way: Way, spare_m: float | None) -> bool:
         """Whether the hands come to nothing on a way; where they have to get by as they can, always."""
         if spare_m is None or not way.passes:
             return True
-        return not self.room.hands_meet(self.scene, way.passes, spare_m)
+        return not self._hands_meet(way.passes, spare_m)
+
+    def _hands_meet(self, way: Sequence[PlanarPose], spare_m: float) -> bool:
+        room = self.room
+        return room.hands_meet(self.scene, way, spare_m) or room.hands_meet_seen(self.tall, way, spare_m)
 
 
 def _is_at(pose: PlanarPose, goal: PlanarPose) -> bool:

@@ -59,3 +59,55 @@ def test_furniture_of_which_the_place_tells_more_keeps_its_short_name():
         (task,) = parse("put the cup on the counter").to_json()["tasks"]
 
     assert task["on"] == "counter"
+
+
+PEOPLE = ("Will", "R2D2", "Mary-Jane", "Doctor Who", "Ana", "Bo", "kwnd")
+
+
+@pytest.mark.parametrize("name", PEOPLE)
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "wave to {}",
+        "find {} in the kitchen",
+        "take the cup from the table and bring it to {}",
+        "go to the kitchen, find {} and say hello to them",
+        "tell {} that dinner is ready",
+    ],
+)
+def test_a_person_of_the_place_is_called_as_there_is_said(name, sentence):
+    with words_of_the_place((), PEOPLE):
+        parsed = parse(sentence.format(name))
+
+    assert parsed.refusal is None
+    assert parsed.question is None
+    assert f"'{name}'" in str(parsed.to_json())
+
+
+@pytest.mark.parametrize("said", ["wave to mary-jane", "wave to doctor who", "wave to will"])
+def test_a_name_of_the_place_may_be_said_in_small_letters(said):
+    with words_of_the_place((), PEOPLE):
+        (command,) = parse(said).commands
+
+    assert command.person in PEOPLE
+
+
+def test_what_somebody_of_the_place_has_is_theirs():
+    with words_of_the_place((), ("Bo",)):
+        (command,) = parse("find Bo's cup").commands
+
+    assert command.object.name == "Bo's cup"
+
+
+def test_a_name_of_one_place_is_not_known_elsewhere():
+    with words_of_the_place((), ("Kwnd",)):
+        assert parse("wave to kwnd").commands
+
+    assert parse("wave to kwnd").refusal.word == "kwnd"
+
+
+def test_a_word_stays_what_it_is_though_somebody_is_called_by_it():
+    with words_of_the_place((), ("Will", "Rose", "Green")):
+        (command,) = parse("will you pick up the green cup").commands
+
+    assert command.object == ObjectDescription("cup", "green")

@@ -1,5 +1,7 @@
 """The eyes go to where more is seen: past what hides it, and no farther than the robot stands safely."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -72,3 +74,18 @@ def test_what_is_walled_in_is_seen_from_nowhere(model, planner):
 
     assert isinstance(answer, NoPlan)
     assert "hidden from everywhere" in answer.reasons
+
+
+def test_thousands_of_places_that_were_not_seen_take_little_memory(model, planner):
+    points = np.random.default_rng(3).uniform((1.5, -2.0, 0.0), (3.5, 2.0, 1.5), (2500, 3))
+    asked = request(model, points=points)
+    planner.plan(request(model, points=points[:5]))  # what is loaded once
+
+    tracemalloc.start()
+    try:
+        planner.plan(asked)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+
+    assert most < 20e6

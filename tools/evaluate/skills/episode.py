@@ -16,7 +16,7 @@ from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain
 from executive.trust import OnQuestion
 from executive.vocabulary.place_words import words_of_the_place
-from robots.scenes.scene_description import spoken_words
+from robots.scenes.scene_description import names_of_people, spoken_words
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
@@ -164,7 +164,10 @@ def _asked(
     if trial.sentence and prepared:
         planning.begin()
         asks: OnQuestion = "fail" if SKILL_SUITES[suite].ends == ANY_END else "first"
-        with session.events.heard_by(planning.take), words_of_the_place(spoken_words(trial.scene)):
+        with (
+            session.events.heard_by(planning.take),
+            words_of_the_place(spoken_words(trial.scene), names_of_people(trial.scene)),
+        ):
             results += Requests(session).submit(trial.sentence, on_question=asks).result()
     elif not trial.sentence:
         prepared = len(results) == len(trial.tasks)

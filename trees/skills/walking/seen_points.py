@@ -28,7 +28,7 @@ class SeenPoints:
         """Nothing was seen yet; without a sensor nothing ever is."""
         self._sensor = sensor
         self.silent = False
-        self._cells: dict[tuple[int, int], None] = {}
+        self._tops_m: dict[tuple[int, int], float] = {}
 
     def look(self, body: PlanarPose, leave_out: Callable[[Array], Array] = lambda scan: scan) -> Array:
         """Take a scan; gives the points that are new, shape (n, 2).
@@ -46,16 +46,21 @@ class SeenPoints:
         x = body.x_m + c * scan[:, 0] - s * scan[:, 1]
         y = body.y_m + s * scan[:, 0] + c * scan[:, 1]
         new: dict[tuple[int, int], None] = {}
-        for i, j in zip(np.rint(x / _CELL_M).astype(int), np.rint(y / _CELL_M).astype(int), strict=True):
-            cell = int(i), int(j)
-            if cell not in self._cells:
+        columns, rows = np.rint(x / _CELL_M).astype(int), np.rint(y / _CELL_M).astype(int)
+        for cell, top_m in zip(zip(columns.tolist(), rows.tolist(), strict=True), scan[:, 2], strict=True):
+            if cell not in self._tops_m:
                 new[cell] = None
-        self._cells.update(new)
+            self._tops_m[cell] = max(float(top_m), self._tops_m.get(cell, -math.inf))
         return _places(new)
 
-    def beside(self, known: Iterable[Footprint]) -> Array:
-        """All points that belong to nothing that is known, shape (n, 2)."""
-        return apart_from(_places(self._cells), known)
+    def beside(self, known: Iterable[Footprint], above_m: float = -math.inf) -> Array:
+        """All points that belong to nothing that is known, shape (n, 2).
+
+        Args:
+            known: What is.
+            above_m: Only where something was seen at this height over the floor, or higher.
+        """
+        return apart_from(_places(cell for cell, top in self._tops_m.items() if top >= above_m), known)
 
 
 def apart_from(points: Array, known: Iterable[Footprint]) -> Array:

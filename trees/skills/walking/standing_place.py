@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -37,6 +38,10 @@ _GRID_M = 0.25
 _ASIDE_RAD = tuple(math.radians(10.0 * k) for k in range(-9, 10))
 _STEPS_M = tuple(0.1 * k for k in range(-5, 6))
 _BEHIND_M = tuple(0.05 * k for k in range(9))
+_BEFORE_M = tuple(0.03 * k for k in range(11))
+"""From between the feet towards the edge of what one stands before: a wall there is between the two,"""
+_THIN_M = 0.02
+"""or one that is so near to these points, however thin."""
 _BESIDE = sorted(
     (PlanarPose(-back, aside) for back in _STEPS_M if back >= 0.0 for aside in _STEPS_M),
     key=lambda beside: math.hypot(beside.x_m, beside.y_m),
@@ -75,13 +80,13 @@ def standing_place(
         sides = _sides(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
         if room is None:
             return sides[0]
-        open_sides = (side for side in sides if _is_open(side, scene, room))
-        return _where_hands_are_free(next(open_sides, sides[0]), body, scene, room)
+        return _where_hands_are_free(_first_open(sides, scene, room), body, scene, room)
     if place.category == "object":
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
-            return _sides(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))[0]
+            sides = _sides(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
+            return sides[0] if room is None else _first_open(sides, scene, room)
     return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, room)
 
 
@@ -216,7 +221,16 @@ def _sides(
     return stands
 
 
+def _first_open(sides: Sequence[PlanarPose], scene: PlanningScene, room: WalkingRoom) -> PlanarPose:
+    """The first of some sides of furniture that one can walk to; the first at all where there is none."""
+    return next((side for side in sides if _is_open(side, scene, room)), sides[0])
+
+
 def _is_open(side: PlanarPose, scene: PlanningScene, room: WalkingRoom) -> bool:
-    """Whether there is room to turn close behind where one stands: else no way leads there."""
+    """Whether there is room to turn close behind where one stands, and no wall before: else no way leads."""
+    fixed = scene.with_objects(item for item in scene.objects.values() if not item.movable)
+    before = np.array([(at.x_m, at.y_m) for at in (side @ PlanarPose(ahead) for ahead in _BEFORE_M)])
+    if any(float(one.distance_m(before).min()) <= _THIN_M for one in footprints(fixed)):
+        return False
     narrow = room.either_way()[-1]
     return any(narrow.tightest(scene, side @ PlanarPose(-back)).lack_m <= 0.0 for back in _BEHIND_M)

@@ -203,7 +203,8 @@ class WalkTo(WalkingLeaf):
         obstacles: tuple[Footprint, ...],
     ) -> Steering | Failure:
         scene, points = self.toolbox.world.scene, self._seen.beside(obstacles)
-        finder = WayFinder(settings, room, scene, points, self._straight_m, self._if_hands_fit)
+        tall = self._seen.beside(footprints(scene), settings.hands_from_m)
+        finder = WayFinder(settings, room, scene, points, self._straight_m, self._if_hands_fit, tall)
         way = finder.find(body, self._goal)
         if isinstance(way, NoWay):
             return Failure.infeasible(_NO_WAY[way.for_hands], clearance_m=way.clearance_m)

@@ -59,8 +59,10 @@ class Gui:
     add_button = add_command = add_html = add_folder = add_form = add_panel = _add
     add_text = add_checkbox = _add
 
-    def add_dropdown(self, label, options):
-        return self._add(label, options[0])
+    def add_dropdown(self, label, options, **more):
+        made = self._add(label, options[0], **more)
+        made.offered = options
+        return made
 
     def configure_theme(self, **_theme):
         pass

@@ -6,6 +6,7 @@ import pytest
 
 from executive.doors.view.panels import (
     ending_panel,
+    found_panel,
     log_panel,
     question_panel,
     running_leaf,
@@ -13,6 +14,7 @@ from executive.doors.view.panels import (
     tree_panel,
 )
 from executive.doors.view.seen import LogLine, Seen
+from executive.doors.view.shown_lines import lines_of
 from trees.failures import Failure, FailureKind
 
 
@@ -37,7 +39,7 @@ def words(html):
 
 
 def test_branches_that_are_over_or_have_not_begun_are_folded():
-    told = words(tree_panel(TREE))
+    told = words(tree_panel(lines_of(TREE, {})))
 
     assert "aim" not in told
     assert "rise" not in told
@@ -45,11 +47,11 @@ def test_branches_that_are_over_or_have_not_begun_are_folded():
 
 
 def test_all_is_shown_when_asked_for():
-    assert all(one["name"] in words(tree_panel(TREE, unfolded=True)) for one in TREE)
+    assert all(one["name"] in words(tree_panel(lines_of(TREE, {}, unfolded=True))) for one in TREE)
 
 
 def test_a_search_shows_what_it_finds_and_what_that_is_in():
-    told = words(tree_panel(TREE, "FOLL"))
+    told = words(found_panel(TREE, "FOLL"))
 
     assert all(name in told for name in ("pick", "reach", "follow"))
     assert not any(name in told for name in ("look", "plan", "lift"))
@@ -105,7 +107,7 @@ def test_a_log_is_shown_from_a_level_on():
     "html",
     [
         status_panel(Seen(task="<script>alert(1)</script>", complaint="<b>", emergency="<i>")),
-        tree_panel([node(0, "<script>", "running", "<img src=x>")]),
+        tree_panel(lines_of([node(0, "<script>", "running", "<img src=x>")], {})),
         log_panel([LogLine(0.0, "<script>")]),
         question_panel({"text": "<script>", "tried": "<script>"}),
         ending_panel(Seen(failure=Failure.error("<script>", **{"<b>": "<i>"}).to_json())),

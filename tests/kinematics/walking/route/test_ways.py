@@ -18,6 +18,23 @@ STRAIGHT_M = 0.45
 GOAL = PlanarPose(2.0, 0.0, -0.9)
 
 
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize("aside", [1.4, -1.2, 2.2])
+@pytest.mark.parametrize(("away_m", "fits"), [(0.7, False), (1.4, True)])
+def test_hands_do_not_turn_where_somebody_was_only_felt(aside, away_m, fits):
+    body = PlanarPose(0.4, -0.3, 0.8)
+    around = np.linspace(-0.3, 0.3, 13) + body.yaw_rad + aside
+    somebody = np.column_stack([body.x_m + away_m * np.cos(around), body.y_m + away_m * np.sin(around)])
+    goal = body @ PlanarPose(3.0, 0.0, 0.3)
+
+    def way(tucked, points):
+        room = WalkingRoom(SETTINGS, tucked=tucked)
+        return WayFinder(SETTINGS, room, PlanningScene(), points, STRAIGHT_M, True, points).find(body, goal)
+
+    assert isinstance(way(False, somebody), Way) is fits
+    assert isinstance(way(True, somebody), Way)
+
+
 def wall(x_m, low_m, high_m):
     """Points of a wall across the floor, shape (n, 2)."""
     return np.array([(x_m, y_m) for y_m in np.arange(low_m, high_m, 0.05)])

@@ -58,3 +58,12 @@ def test_a_sensor_that_says_nothing_is_noticed():
     assert seen.silent
     seen.look(PlanarPose())
     assert not seen.silent
+
+
+def test_what_is_as_tall_as_the_hands_is_told_apart_though_it_is_seen_low_as_well():
+    scan = np.array([(1.0, 0.0, 1.2), (1.0, 0.0, 0.3), (2.0, 0.0, 0.3)])
+    seen = SeenPoints(Scripted(scan))
+    seen.look(PlanarPose())
+
+    np.testing.assert_allclose(seen.beside((), above_m=1.0), [(1.0, 0.0)], atol=1e-9)
+    assert len(seen.beside(())) == 2
