@@ -27,7 +27,7 @@ _OVERLAP = 0.85
 """Two things whose middles are nearer than this share of both half widths would reach into each other."""
 _WITHIN_M = 0.01
 _ALL_OF_IT = 0.9
-"""What is longer and wider than this share of a thing is all of it, or nearly so."""
+"""What is longer, wider and higher than this share of a thing is all of it, or nearly so."""
 _HOLDS, _HOLDS_M = 1.0, 0.05
 """What is wider than this share of a thing, and so much more, could hold it."""
 
@@ -169,8 +169,11 @@ def _badly_seen(
 
 
 def _as_large(estimate: ObjectEstimate, item: SceneObject) -> bool:
-    """Whether what is seen of a thing is about as long and wide as it is known to be."""
-    return all(size_m(estimate.shape) > _ALL_OF_IT * size_m(item.shape) for size_m in (_width_m, _length_m))
+    """Whether what is seen of a thing is about as long, wide and high as it is known to be."""
+    return all(
+        extent_m(estimate.shape) > _ALL_OF_IT * extent_m(item.shape)
+        for extent_m in (_width_m, _length_m, _height_m)
+    )
 
 
 def _is_part(part: ObjectEstimate, seen: Iterable[ObjectEstimate]) -> bool:
@@ -245,6 +248,10 @@ def _reaches(shape: Shape, world_T_shape: Transform, place: Array, room_m: float
 
 def _width_m(shape: Shape) -> float:
     return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
+
+
+def _height_m(shape: Shape) -> float:
+    return shape.height_m
 
 
 def _length_m(shape: Shape) -> float:

@@ -335,6 +335,17 @@ def test_what_is_seen_unsurely_in_a_bowl_is_no_contradiction_to_the_bowl():
 
 
 @pytest.mark.requirement("P2")
+def test_a_bottle_of_which_the_picture_shows_no_more_than_a_cup_is_still_that_bottle():
+    bottle = seen("bottle", "red", at=(0.43, 0.31, 0.97), shape=Cylinder(0.027, 0.157))
+    before = look(PlanningScene(), bottle).scene
+    low = replace(seen("cup", "red", at=(0.43, 0.31, 0.95), shape=Cylinder(0.027, 0.112)), cut=True)
+
+    update = updated_scene(before, [low], POLICY, lambda _: True, before={"red bottle": bottle})
+
+    assert set(update.scene.objects) == {"red bottle"}
+
+
+@pytest.mark.requirement("P2")
 def test_what_is_as_long_as_a_bowl_is_wide_is_the_bowl_seen_badly():
     bowl = seen("bowl", "white", at=(0.5, 0.0, 0.94), shape=Cylinder(0.086, 0.081))
     before = look(PlanningScene(), bowl).scene
