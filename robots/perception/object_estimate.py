@@ -342,13 +342,16 @@ def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
 
 
 def could_hold(a: Shape, b: Shape) -> bool:
-    """Whether one of two solids is so much wider that the other may be in it."""
-    small, large = sorted((_width_m(a), _width_m(b)))
-    return large > _HOLDS_FACTOR * small
+    """Whether one of two solids is so much wider than the other is long that the other may be in it."""
+    (a_width_m, a_length_m), (b_width_m, b_length_m) = _ground_m(a), _ground_m(b)
+    return a_width_m > _HOLDS_FACTOR * b_length_m or b_width_m > _HOLDS_FACTOR * a_length_m
 
 
-def _width_m(shape: Shape) -> float:
-    return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
+def _ground_m(shape: Shape) -> tuple[float, float]:
+    """How wide and how long a solid is that stands."""
+    if isinstance(shape, Box):
+        return min(shape.size_m[:2]), max(shape.size_m[:2])
+    return 2.0 * shape.radius_m, 2.0 * shape.radius_m
 
 
 def _order(estimate: ObjectEstimate) -> tuple[str, str, str, float, float, float]:

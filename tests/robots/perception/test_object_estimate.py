@@ -192,6 +192,16 @@ def test_one_thing_that_is_named_in_two_ways_is_one():
     assert seen.kind == "cup"
 
 
+@pytest.mark.requirement("P2")
+def test_a_narrow_box_that_flickers_where_a_cup_is_seen_is_not_in_the_cup():
+    box = detection(at(0.505), "box", shape=Box((0.031, 0.045, 0.108)), confidence=0.4)
+    frames = [[detection(at(0.5), shape=Cylinder(0.026, 0.108))]] * 3 + [[box]] * 3
+
+    (seen,) = fuse_frames(views(*frames))
+
+    assert seen.kind == "cup"
+
+
 def test_a_name_that_few_frames_are_sure_of_is_what_a_thing_may_be():
     frames = [
         (np.eye(4), PerceptionFrame(0.1 * k, k, (_unsure(names, alike),)))

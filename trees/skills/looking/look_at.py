@@ -99,16 +99,27 @@ def joints_that_show(toolbox: Toolbox, point: Array, clear_m: float = 0.0) -> Ma
 
 
 class LookAtTarget(AimingLeaf):
-    """Turn the head so that the target is in the middle of the picture, where it was seen or in the hand."""
+    """Turn the head so that the target is in the middle of the picture, where it was seen or in the hand.
+
+    Attributes:
+        leaning: Whether the trunk leans over where the head alone does not show what is not in a hand.
+    """
 
     INPUT_PORTS = ports(target=Target)
     OUTPUT_PORTS = ports()
 
+    def __init__(self, name: str, toolbox: Toolbox, leaning: bool = False) -> None:
+        super().__init__(name, toolbox)
+        self.leaning = leaning
+
     def joints(self) -> Mapping[str, float]:
-        """The head joints' goal, rad."""
+        """The goal of the joints that aim the camera, rad."""
         target: Target = self.get_input("target")
         model, q = self.toolbox.model, self.toolbox.motion.reference()
         body = self.toolbox.world.scene.attached.get(target.name)
+        if body is None and self.leaning:
+            half_m = 0.5 * target.shape.height_m
+            return joints_that_show(self.toolbox, target.odom_T_object[:3, 3], half_m)
         if body is None:
             return gaze_joints(model, q, target.odom_T_object[:3, 3])
         return gaze_joints(model, q, (model.frame_pose(q, body.frame) @ body.frame_T_object)[:3, 3])

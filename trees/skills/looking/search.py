@@ -91,7 +91,10 @@ def _look(gaze: Gaze, toolbox: Toolbox, part: Part) -> Behaviour:
 
 def _look_at_it(name: str, toolbox: Toolbox, part: Part) -> Behaviour:
     """A look at what may be the thing that is meant."""
-    children: list[Behaviour] = [LookAtTarget("look", toolbox), Detect("detect", toolbox, part=part)]
+    children: list[Behaviour] = [
+        LookAtTarget("look", toolbox, leaning=True),
+        Detect("detect", toolbox, part=part),
+    ]
     return Sequence(f"look {name}", memory=True, children=children)
 
 

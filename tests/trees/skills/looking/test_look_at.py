@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from py_trees.common import Status
 
+from kinematics.geometry import poses
 from kinematics.motion.verdict import Finding, FindingKind, Unsafe
 from kinematics.requests.move import MoveRequest
 from kinematics.requests.step import NoPlan
@@ -108,6 +111,17 @@ def test_the_target_comes_to_the_middle_of_the_picture(stage, target):
     right, down = off_axis_rad(camera, target.odom_T_object[:3, 3])
     assert abs(right) < 0.01
     assert down < 0.43  # in the picture; the tilt joint ends before the cup is in its middle
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("leaning", [True, False])
+def test_a_closer_look_leans_over_what_the_head_alone_does_not_show(stage, target, leaning):
+    near = replace(target, odom_T_object=poses.translation(0.38, -0.24, 0.84))
+
+    leaf = LookAtTarget("look", stage.toolbox, leaning=leaning)
+    stage.run(leaf, target=near)
+
+    assert ("torso_2_joint" in leaf.joints()) == leaning
 
 
 def test_an_object_in_the_hand_is_looked_for_there(knowing, target):
