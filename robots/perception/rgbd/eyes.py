@@ -39,6 +39,7 @@ from robots.perception.rgbd.piece import Piece
 from robots.perception.rgbd.samples import Samples, sample
 from robots.perception.rgbd.segments import Segments, above, segment
 from robots.perception.rgbd.shapes import CUT_SHARE, Solid, apart, find_solids
+from robots.perception.rgbd.solids import LEAST_M
 from robots.perception.rgbd.surfaces import MOST_TILT_RAD, Surface, find_surfaces
 from robots.perception.rgbd.wholes import with_wholes
 from robots.scenes.articulated import PART_KINDS
@@ -219,7 +220,7 @@ class Eyes:
                 there=float(belief.there[k]),
             )
             for k in range(segments.count)
-            if whole[k] and not _is_huge(solids[k])
+            if whole[k] and not _is_huge(solids[k]) and not _is_flat(solids[k])
         )
 
 
@@ -240,6 +241,11 @@ def _is_huge(solid: Solid) -> bool:
     """Whether it is no thing that anybody carries about, but a part of the room."""
     shape = solid.shape
     return max(shape.size_m[:2] if isinstance(shape, Box) else (2.0 * shape.radius_m,)) > _LARGEST_M
+
+
+def _is_flat(solid: Solid) -> bool:
+    """Whether it is no higher than noise, or than the bottom of a cup whose wall came back nowhere."""
+    return solid.shape.height_m <= LEAST_M
 
 
 def _segments(cloud: Cloud, surfaces: Sequence[Surface], furniture: Explained) -> tuple[Segments, Array]:

@@ -227,6 +227,14 @@ def test_what_is_unsure_is_told_with_its_picture(take):
     assert (shown == np.array(RED[::-1])).all(axis=2).any()
 
 
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize(("height_m", "count"), [(0.0075, 0), (0.02, 1)])
+def test_what_is_no_higher_than_the_bottom_of_a_cup_is_no_thing(take, height_m, count):
+    disc = (Cylinder(0.025, height_m), 0.5, 0.0, 0.0, RED)
+
+    assert len(Eyes().look(take([disc])).things) == count
+
+
 def test_an_empty_table_shows_a_table_and_nothing_on_it(take):
     seen = Eyes().look(take([]))
 
