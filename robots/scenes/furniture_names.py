@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from robots.scenes.fixture import FIXTURE
+
 _KINDS = MappingProxyType({"table": "table", "desk": "table", "counter": "counter", "shelf": "shelf"})
 """Kinds by the last word of a name, which says what the rest only tells apart."""
 
@@ -35,6 +37,8 @@ def own_name(name: str, kind: str) -> str | None:
         kind: "table".
     """
     words = " ".join(name.lower().rstrip("0123456789").split())
+    if kind == FIXTURE:
+        return words if words != kind else None
     return words if words != kind and kind_called(words) == kind else None
 
 
@@ -47,6 +51,8 @@ def kind_that_name_contradicts(name: str, kind: str) -> str | None:
         kind: "table".
     """
     words = name.lower().rstrip("0123456789").split()
+    if kind == FIXTURE:
+        return None  # it may look like anything
     kinds = {**_KINDS, **_OTHER_KINDS}
     told = kinds.get(words[-1]) if words else None
     return told if told != kind and kind not in (kinds.get(word) for word in words) else None

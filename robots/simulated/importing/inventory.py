@@ -12,6 +12,9 @@ from robots.errors import CannotImportError
 from robots.simulated.importing.bodies import WORLD, Foreign, label_of_body
 from robots.simulated.importing.openings import Opening, opening_of
 
+_IN_FLOOR_M = 0.02
+"""Feet may reach so far into the floor."""
+
 
 @dataclass(frozen=True, slots=True)
 class FoundObject:
@@ -43,6 +46,7 @@ class FoundPiece(Sealed):
         low, high: Lowest and highest corner of those along its own axes, shape (3,), m.
         yaw_rad: How its own axes are turned in the world.
         openings: Its drawers, doors, lids, knobs and buttons.
+        is_nameless: Nothing in the file says what it is.
     """
 
     body: int
@@ -52,6 +56,7 @@ class FoundPiece(Sealed):
     high: Array
     yaw_rad: float
     openings: tuple[Opening, ...] = ()
+    is_nameless: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +67,14 @@ class Inventory:
         foreign: The model.
         objects, pieces: What is in it.
         left_out: Bodies that are neither, with the reason; nothing is dropped without one.
+        ground_m: Height of its floor in its own world.
     """
 
     foreign: Foreign
     objects: tuple[FoundObject, ...]
     pieces: tuple[FoundPiece, ...]
     left_out: tuple[tuple[str, str], ...]
+    ground_m: float = 0.0
 
 
 def inventory_of(foreign: Foreign) -> Inventory:
@@ -98,7 +105,20 @@ def inventory_of(foreign: Foreign) -> Inventory:
         left_out.append(("the world", f"{_counted(len(seen), 'surface')} of it, which nothing touches"))
     if not objects and not pieces:
         raise CannotImportError(f"{foreign.file}: there is nothing in it: no object, no furniture")
-    return Inventory(foreign, tuple(objects), tuple(pieces), tuple(left_out))
+    return Inventory(foreign, tuple(objects), tuple(pieces), tuple(left_out), _ground_m(foreign, pieces))
+
+
+def _ground_m(foreign: Foreign, pieces: list[FoundPiece]) -> float:
+    """Where its floor is: the highest level plane that nothing of it is below; else what reaches down most."""
+    lowest = min((float(piece.low[2]) for piece in pieces), default=0.0)
+    plane = int(mujoco.mjtGeom.mjGEOM_PLANE)
+    levels = [
+        float(foreign.data.geom_xpos[k][2])
+        for k in range(foreign.model.ngeom)
+        if int(foreign.model.geom_type[k]) == plane and foreign.data.geom_xmat[k][8] > 0.99
+    ]
+    below = [level for level in levels if level <= lowest + _IN_FLOOR_M]
+    return max(below, default=min(lowest, 0.0))
 
 
 def _no_thing(foreign: Foreign, bodies: list[int], driven: set[int]) -> str | None:
