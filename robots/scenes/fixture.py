@@ -91,15 +91,13 @@ def control_solid(control: Control) -> ControlSolid:
 
 
 def moved_control(control: Control, by: float) -> Transform:
-    """Motion of a control in its solid's frame: a turn about x, clockwise for who looks along it, or a shift."""
+    """Motion of a control in its solid's frame: a turn about x, clockwise for who looks at it, or a shift."""
     if control.kind == KNOB:
         return poses.transform(poses.rotation_x(by), (0.0, 0.0, 0.0))
     return poses.translation(by, 0.0, 0.0)
 
 
-def fixture_boxes(
-    size_m: Size, foot_m: float, boxes: tuple[FixedBox, ...]
-) -> list[tuple[str, Size, Size]]:
+def fixture_boxes(size_m: Size, foot_m: float, boxes: tuple[FixedBox, ...]) -> list[tuple[str, Size, Size]]:
     """The solids of a fixture: part, size and centre in its frame, the one that carries things first."""
     depth, width, top = size_m
     if not boxes:

@@ -81,7 +81,12 @@ START_HALF_WIDTH_M = 0.30
 START_REACH_M = (-0.15, 0.215)
 """Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
 _SMALLEST_TABLE_M = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
-_SMALLEST_M = {FIXTURE: (0.01, 0.01, 0.005), "counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2), "wall": (0.02, 0.05, 0.2)}
+_SMALLEST_M = {
+    FIXTURE: (0.01, 0.01, 0.005),
+    "counter": (0.2, 0.2, 0.3),
+    "shelf": (0.1, 0.2, 0.2),
+    "wall": (0.02, 0.05, 0.2),
+}
 _SMALLEST_PLACE_M = 1.0
 """A robot needs so much room to stand and turn."""
 PERSON_RADIUS_M = 0.22

@@ -19,6 +19,7 @@ from executive.cli.commands.choices import (
     PolicyOption,
     YesOption,
     not_empty,
+    scene_given,
     number_from,
     whole_number_from,
 )
@@ -41,10 +42,10 @@ def check(
     scene: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME|FILE.toml",
+            metavar="NAME|FILE.toml|FILE.xml",
             help="Where.",
             show_default=f"{DEFAULT_SCENE}; for a trajectory the TOML file beside it",
-            callback=not_empty,
+            callback=scene_given,
         ),
     ] = None,
     seed: Annotated[

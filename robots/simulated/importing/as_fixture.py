@@ -1,4 +1,4 @@
-"""A foreign piece as a fixture of ours: every solid a box along the piece's own axes, with knobs and buttons."""
+"""A foreign piece as a fixture of ours: its solids as boxes along its own axes, with knobs and buttons."""
 
 from __future__ import annotations
 
@@ -77,10 +77,15 @@ def _front_yaw(piece: FoundPiece) -> float:
 
 def _box(cloud: Array) -> dict[str, Any]:
     low, high = cloud.min(axis=0), cloud.max(axis=0)
-    return {"size_m": _numbers(np.maximum(high - low, _THINNEST_M)), "position_m": _numbers(0.5 * (low + high))}
+    return {
+        "size_m": _numbers(np.maximum(high - low, _THINNEST_M)),
+        "position_m": _numbers(0.5 * (low + high)),
+    }
 
 
-def _controls(foreign: Foreign, controls: list[Opening], to_own: Array, origin: Array) -> list[dict[str, Any]]:
+def _controls(
+    foreign: Foreign, controls: list[Opening], to_own: Array, origin: Array
+) -> list[dict[str, Any]]:
     """Knobs and buttons, of several of a kind each by what its body is called."""
     found = []
     names: set[str] = set()

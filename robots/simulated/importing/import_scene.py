@@ -115,7 +115,7 @@ def _accepted(
             if fault[3]:
                 start = next(starts, None)
                 if start is None:
-                    raise CannotImportError(f"{file}: nowhere to stand was found: {refused.reason}") from refused
+                    raise CannotImportError(f"{file}: nowhere to stand: {refused.reason}") from refused
                 continue
             name = _without(fault[1], int(fault[2]), furniture, things)
             written.told.append(f"{name}: left out, {refused.reason}")

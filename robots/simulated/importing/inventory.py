@@ -109,7 +109,7 @@ def inventory_of(foreign: Foreign) -> Inventory:
 
 
 def _ground_m(foreign: Foreign, pieces: list[FoundPiece]) -> float:
-    """Where its floor is: the highest level plane that nothing of it is below; else what reaches down most."""
+    """Where its floor is: the highest level plane that nothing is below; else what reaches down most."""
     lowest = min((float(piece.low[2]) for piece in pieces), default=0.0)
     plane = int(mujoco.mjtGeom.mjGEOM_PLANE)
     levels = [
@@ -239,7 +239,16 @@ def _piece(foreign: Foreign, root: int, bodies: list[int]) -> tuple[FoundPiece, 
     own = corners @ _level_turn(yaw)
     label = label_of_body(_telling_name(foreign, root), fixed=True)
     return (
-        FoundPiece(root, label, tuple(fixed), own.min(axis=0), own.max(axis=0), yaw, tuple(openings)),
+        FoundPiece(
+            root,
+            label,
+            tuple(fixed),
+            own.min(axis=0),
+            own.max(axis=0),
+            yaw,
+            tuple(openings),
+            is_nameless=not any(_says_something(foreign.name(body)) for body in bodies),
+        ),
         odd,
     )
 

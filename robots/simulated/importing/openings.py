@@ -14,7 +14,7 @@ from robots.simulated.importing.bodies import Foreign
 _LEAST_SLIDE_M, _LEAST_TURN_RAD = 0.03, 0.3
 """What moves by less is a knob, a button or a spring."""
 _SMALL_M, _SMALL_SHARE = 0.16, 0.5
-"""What turns and is no larger, and so much smaller than what it is on, is turned by fingers: a knob, a switch."""
+"""What turns, is no larger, and is so much smaller than what it is on, is for fingers: a knob, a switch."""
 _PANEL_SHARE = 0.45
 """The front is the farthest solid that covers so much of the part as seen from where it opens to."""
 _PROTRUDES_M = 0.008

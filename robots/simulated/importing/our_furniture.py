@@ -10,8 +10,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from robots.scenes.articulated import DRAWER_FRONT_HEIGHT_M, GAP_M, WALL_M
-from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.scenes.fixture import CONTROL_KINDS
+from robots.scenes.furniture_names import kind_that_name_contradicts
 from robots.simulated.importing.as_fixture import fixture_values
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece

@@ -75,12 +75,8 @@ def libero(folder):
         )
         env.reset()
         parsed = robosuite_parse_problem(str(file))
-        objects = [
-            {"name": each, "kind": kind} for kind, all_ in parsed["objects"].items() for each in all_
-        ]
-        pieces = [
-            {"name": each, "kind": kind} for kind, all_ in parsed["fixtures"].items() for each in all_
-        ]
+        objects = [{"name": each, "kind": kind} for kind, all_ in parsed["objects"].items() for each in all_]
+        pieces = [{"name": each, "kind": kind} for kind, all_ in parsed["fixtures"].items() for each in all_]
         write(folder, name, env, objects, pieces)
 
 

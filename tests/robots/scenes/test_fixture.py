@@ -68,8 +68,7 @@ def test_a_fixture_that_cannot_be_is_refused_with_its_key(old, new, key):
         read_scene(STOVE.replace(old, new), "stove.toml", "stove")
 
 
-def test_objects_stand_on_a_fixture(
-):
+def test_objects_stand_on_a_fixture():
     can = '[[object]]\nname = "can"\nkind = "can"\nradius_m = 0.03\nheight_m = 0.1\non = "stove"\n'
 
     scene = read_scene(STOVE + can, "stove.toml", "stove")
