@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -17,10 +17,8 @@ from kinematics.arrays import Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
+from robots.scenes.furniture_names import BUTTON, KNOB
 
-FIXTURE: Final = "fixture"
-KNOB: Final = "knob"
-BUTTON: Final = "button"
 CONTROL_KINDS = (KNOB, BUTTON)
 KNOB_THICK_M = 0.024
 """Of the bar that fingers turn a knob by: fingers that are closer than this count as empty."""

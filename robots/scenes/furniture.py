@@ -11,7 +11,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
 from robots.scenes.articulated import ARTICULATED_KINDS, fixed_boxes
-from robots.scenes.fixture import FIXTURE, fixture_boxes
+from robots.scenes.fixture import fixture_boxes
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import Furniture
 
 BOARD_KINDS = ("counter", "shelf")

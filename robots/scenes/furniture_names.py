@@ -7,8 +7,13 @@ people use it; what can be done there follows from the kind.
 from __future__ import annotations
 
 from types import MappingProxyType
+from typing import Final
 
-from robots.scenes.fixture import FIXTURE
+FIXTURE: Final = "fixture"
+"""The kind of what is fixed where it stands and is no furniture of a usual kind; it has a name of its own."""
+KNOB: Final = "knob"
+BUTTON: Final = "button"
+"""Kinds of what fingers turn and press on it."""
 
 _KINDS = MappingProxyType({"table": "table", "desk": "table", "counter": "counter", "shelf": "shelf"})
 """Kinds by the last word of a name, which says what the rest only tells apart."""

@@ -13,8 +13,8 @@ from robots.errors import SceneError
 from robots.scenes import articulated, fixed_camera, furniture, light
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
 from robots.scenes.fixed_camera import FixedCamera
-from robots.scenes.fixture import FIXTURE, fixture_defect
-from robots.scenes.furniture_names import kind_that_name_contradicts
+from robots.scenes.fixture import fixture_defect
+from robots.scenes.furniture_names import FIXTURE, kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m

@@ -1,4 +1,4 @@
-"""Whole scenes of other people's benchmarks: what their makers say is in them is found, and nothing is dropped.
+"""Whole scenes of other benchmarks: what their makers say is in them is found, and nothing is dropped.
 
 The scenes are built by the benchmarks themselves, in an environment of their own; how many objects, drawers
 and doors there are is what the benchmark's task files and joints say.

@@ -31,7 +31,7 @@ _SLOTS = {
     "TRAIT": "traits",
 }
 _SIDES = {"left": "leftmost", "right": "rightmost"}
-_ENDS = frozenset({"leftmost", "rightmost", "middle", "top", "bottom"})
+_ENDS = frozenset({"leftmost", "rightmost", "middle", "top", "bottom", "front", "back"})
 """Ranks of a thing that is said to be at an end, or in the middle, of a row."""
 
 _FROM_SIDE = "from side"

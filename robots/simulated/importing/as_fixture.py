@@ -9,7 +9,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from robots.scenes.fixture import BUTTON, KNOB
+from robots.scenes.furniture_names import BUTTON, KNOB
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
 from robots.simulated.importing.openings import Opening

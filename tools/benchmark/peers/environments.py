@@ -24,7 +24,7 @@ ROS_NAMES = ("ros_jazzy", "ros_kilted")
 MODEL_NAMES = ("smollm2",)
 """A small language model that travels in a package, with what serves it; for tests alone."""
 ASSET_NAMES = ("libero", "foreign_scenes")
-"""Objects and furniture of a benchmark, and whole scenes of several with what builds them; for tests alone."""
+"""Objects and furniture of a benchmark; whole scenes of several, with what builds them. For tests alone."""
 
 
 def default_cache() -> Path:
