@@ -39,6 +39,7 @@ from robots.perception.truth_view import TrueObject, TruthView
 from robots.scenes.articulated import PART_KINDS, moving_solids
 from robots.scenes.fixture import CONTROL_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import PerceptionModel, SceneDescription, spoken_words
 from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
@@ -376,7 +377,7 @@ def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str
     extra = {word.casefold() for word in declared}
     if ANY_LABEL in extra:
         return None
-    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *CONTROL_KINDS, *extra, *called}
+    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called} - {FIXTURE}
     return frozenset(word.casefold() for word in known)
 
 
@@ -387,6 +388,9 @@ def labels_in(scene: SceneDescription) -> frozenset[str] | None:
         scene: What is there, and what it declares.
     """
     people = ["person"] if scene.people else []
-    parts = [solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)]
+    parts: list[str] = [
+        solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)
+    ]
+    parts += [control.kind for piece in scene.furniture for control in piece.controls]
     called = [*spoken_words(scene), *people, *filter(None, parts)]
     return told_labels(called, scene.perception.labels)

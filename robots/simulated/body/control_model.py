@@ -77,7 +77,13 @@ def add_controls(spec: mujoco.MjSpec, piece: Furniture, description: RobotDescri
                     geomname1=pad_name(link),
                     geomname2=name,
                     condim=4,
-                    friction=[CONTROL_FRICTION, CONTROL_FRICTION, CONTROL_FRICTION * PATCH_RADIUS_M, 5e-4, 5e-4],
+                    friction=[
+                        CONTROL_FRICTION,
+                        CONTROL_FRICTION,
+                        CONTROL_FRICTION * PATCH_RADIUS_M,
+                        5e-4,
+                        5e-4,
+                    ],
                     solref=list(PAD_SOLREF),
                     solimp=list(PAD_SOLIMP),
                 )
