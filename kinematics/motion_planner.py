@@ -21,7 +21,7 @@ from kinematics.planning.pick_planner import PickPlanner
 from kinematics.planning.place_planner import PlacePlanner
 from kinematics.planning.retreat_planner import plan_retreat
 from kinematics.planning.view_planner import ViewPlanner
-from kinematics.requests.control import ControlRequest
+from kinematics.requests.control import ControlRequest, TurnRequest
 from kinematics.requests.handle import HandleRequest
 from kinematics.requests.move import MoveRequest, RetreatRequest
 from kinematics.requests.pick import PickRequest
@@ -42,6 +42,7 @@ def planners(model: RobotModel) -> Planners:
         PlaceRequest: PlacePlanner(model).plan,
         HandleRequest: HandlePlanner(model).plan,
         ControlRequest: ControlPlanner(model).plan,
+        TurnRequest: ControlPlanner(model).plan_turn,
         ViewRequest: ViewPlanner(model).plan,
         MoveRequest: partial(plan_move, model),
         RetreatRequest: partial(plan_retreat, model),

@@ -7,6 +7,7 @@ and each hand.
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterator
 
@@ -21,21 +22,22 @@ from kinematics.ik.result import IkTolerance
 from kinematics.ik.solver import along_line
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.motion.curves import PolynomialCurve
+from kinematics.motion.curves import Curve, PolynomialCurve
+from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import key_of
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
 from kinematics.planning.pushing import hand_points
-from kinematics.requests.control import ControlPlan, ControlRequest
+from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.grasp import Grasp
-from kinematics.requests.step import NoPlan, PlannedStep, WhyNoPlan
+from kinematics.requests.step import NoPlan, WhyNoPlan
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.standing.reserves import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
 from kinematics.timing.curve_timing import Pace
 
 _APPROACH_M = 0.08
-_FINGER_ROOM_M = 0.016
-"""Between open fingertips and what a knob is on: they swing ahead by so much as they close."""
+_FINGER_ROOM_M = 0.012
+"""Between closed fingertips and what a knob is on, for what it is misjudged by."""
 _FOREMOST_M = 0.003
 _TURN_POINTS = 5
 _TURN_PACE = Pace(velocity=0.25, acceleration=0.5)
@@ -58,6 +60,11 @@ class ControlPlanner:
         told = f"no way for a hand to the {request.control} from here was found"
         numbers = {"ways_considered": float(task.considered)}
         return NoPlan(told, dict(task.reasons), numbers, WhyNoPlan.NO_GRASP)
+
+    def plan_turn(self, request: TurnRequest) -> TurnPlan | NoPlan:
+        """The turn of a knob that a hand holds, or honestly why there is none."""
+        asked = ControlRequest(request.q_start, request.stance, request.scene, request.control)
+        return _ControlTask(self._model, asked).turn_plan(request.hand, request.turn_rad)
 
 
 class _ControlTask(PlanningTask):
@@ -87,7 +94,8 @@ class _ControlTask(PlanningTask):
         if self.request.turn_rad is not None:
             rotation = pose[:3, :3] @ poses.rotation_x(0.5 * math.pi + roll)
             points = hand_points(self._model, hand, self.request.q_start)
-            stands_off_m = float(points[:, 0].max()) + _FINGER_ROOM_M
+            advance_m = self._model.description.grippers[hand].closing_advance_m
+            stands_off_m = float(points[:, 0].max()) + advance_m + _FINGER_ROOM_M
             return poses.transform(rotation, pose[:3, 3] + (0.5 * long - stands_off_m) * pose[:3, 0])
         yaw = poses.yaw_of(pose[:3, :3])
         rotation = poses.rotation_z(yaw) @ poses.rotation_x(0.5 * math.pi + roll)
@@ -128,12 +136,10 @@ class _ControlTask(PlanningTask):
             return "approach collides"
         links = self._model.description.grippers[grasp.hand].touch_links
         in_hand = touching(links, (request.control,), ConcessionReason.HANDLE_IN_HAND, "approach")
-        turn = drawn_back = None
         if request.turn_rad is not None:
-            turned = self._turned(grasp, self.space.to_q(x_there[None, :])[0][0], request.turn_rad)
+            turned = self.turned(grasp.hand, self.space.to_q(x_there[None, :])[0][0], request.turn_rad)
             if isinstance(turned, str):
                 return turned
-            turn, drawn_back = turned
         arms = self._model.description.arms
         reach = self.path(x_before, arms, np.random.default_rng(request.seed))
         if reach is None:
@@ -142,41 +148,48 @@ class _ControlTask(PlanningTask):
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
             return "legs cannot follow"
-        return ControlPlan(grasp, first, second, turn, drawn_back, self.considered)
+        return ControlPlan(grasp, first, second, self.considered)
 
-    def _turned(self, grasp: Grasp, q: Array, turn_rad: float) -> tuple[PlannedStep, PlannedStep] | str:
-        """The turn of the hand about its own x, and the way straight back."""
-        ik, touched = self.ik_of(grasp.hand), self._touching(grasp.hand)
-        configurations, target = [q], grasp.world_T_tcp
+    def turned(self, hand: Hand, q: Array, turn_rad: float) -> tuple[Curve, Curve] | str:
+        """The turn of a hand about its own x from a configuration, and the way straight back."""
+        ik, frame = self.ik_of(hand), self._model.description.grippers[hand].tcp_frame
+        start = self._model.frame_pose(q, frame)
+        configurations, target = [q], start
         for k in range(1, _TURN_POINTS):
             share = k / (_TURN_POINTS - 1)
-            target = grasp.world_T_tcp @ poses.transform(poses.rotation_x(share * turn_rad), (0.0, 0.0, 0.0))
+            target = start @ poses.transform(poses.rotation_x(share * turn_rad), (0.0, 0.0, 0.0))
             found = ik.solve(target, configurations[-1], q_preferred=configurations[-1])
             if not found.within(_TOLERANCE):
                 return "the wrist does not turn so far"
             configurations.append(found.q)
-        near = self.planner_in(touched)
+        near = self.planner_in(self._touching(hand))
         curve = PolynomialCurve(self._with_gaze(configurations, q))
         if not near.curve_is_free(curve):
             return "turning collides"
-        before = target @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        before = target @ poses.translation(-_APPROACH_M, 0.0, 0.0)
         line = along_line(ik, configurations[-1], target, before, CARTESIAN_POINTS)
         if line is None:
             return "no straight way back"
         away = PolynomialCurve(self._with_gaze(list(line), q))
-        if not near.curve_is_free(away):
-            return "the way back collides"
-        links = self._model.description.grippers[grasp.hand].touch_links
-        parts = (self.request.control,)
-        turn = self.step(
-            "turn", curve, _TURN_PACE, touching(links, parts, ConcessionReason.HANDLE_IN_HAND, "turn")
-        )
-        back = self.step(
-            "back", away, CARTESIAN_PACE, touching(links, parts, ConcessionReason.HANDLE_IN_HAND, "back")
-        )
-        if turn is None or back is None:
-            return "legs cannot follow"
-        return turn, back
+        return (curve, away) if near.curve_is_free(away) else "the way back collides"
+
+    def turn_plan(self, hand: Hand, turn_rad: float) -> TurnPlan | NoPlan:
+        """The turn from where the hand is, with the knob in it."""
+        control = self.request.control
+        q = self.request.q_start
+        turned = self.turned(hand, q, turn_rad)
+        if isinstance(turned, str):
+            return NoPlan(f"the {control} cannot be turned from here", {turned: 1})
+        links = self._model.description.grippers[hand].touch_links
+        steps = []
+        for name, curve, pace in zip(("turn", "back"), turned, (_TURN_PACE, CARTESIAN_PACE), strict=True):
+            in_hand = touching(links, (control,), ConcessionReason.HANDLE_IN_HAND, name)
+            step = self.step(name, curve, pace, (*self.start_concessions(name), *in_hand))
+            if step is None:
+                return NoPlan(f"the {control} cannot be turned from here", {"legs cannot follow": 1})
+            steps.append(step)
+        led = lead_in(steps[0].trajectory, q, self._model.acceleration)
+        return TurnPlan(dataclasses.replace(steps[0], trajectory=led), steps[1])
 
     def _with_gaze(self, configurations: list[Array], q: Array) -> Array:
         """Rows of free coordinates in which the head stays where it is at ``q``."""

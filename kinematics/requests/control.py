@@ -1,4 +1,4 @@
-"""Come to a knob or a button, and turn the one that is held."""
+"""Come to a knob or a button, and turn a knob that is held."""
 
 from __future__ import annotations
 
@@ -18,16 +18,12 @@ class ControlPlan:
         grasp: Where the hand is at the end of the approach: about the knob, or at the button.
         reach: The way to before it.
         approach: Straight on to it; of a button, which is pressed by feel, up to where the hand stops short.
-        turn: With the knob in the hand; None of a button.
-        back: Straight back from where that ends.
         considered: How many ways were looked at.
     """
 
     grasp: Grasp
     reach: PlannedStep
     approach: PlannedStep
-    turn: PlannedStep | None
-    back: PlannedStep | None
     considered: int
 
 
@@ -37,7 +33,8 @@ class ControlRequest(Request[ControlPlan | NoPlan]):
 
     Attributes:
         control: Its name in the scene; x of its box points inwards, as the hand comes.
-        turn_rad: How far a knob is turned, clockwise for who looks at it; None where it is a button.
+        turn_rad: How far a knob will be turned, clockwise for who looks at it; a way is taken from which the
+            hand can do that. None where it is a button.
         short_m: So far before it the approach ends: a hand that feels its way goes on from there.
         hands: Hands that may be used, the better one first.
         excluded: Labels of ways, as "hand label", that were tried in vain.
@@ -50,3 +47,26 @@ class ControlRequest(Request[ControlPlan | NoPlan]):
     hands: tuple[Hand, ...] = HANDS
     excluded: frozenset[str] = frozenset()
     seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class TurnPlan:
+    """A turn of a hand about its own axis, and the way straight back from there."""
+
+    turn: PlannedStep
+    back: PlannedStep
+
+
+@dataclass(frozen=True, slots=True)
+class TurnRequest(Request[TurnPlan | NoPlan]):
+    """Plan to turn a hand, which holds a knob, about its own x axis.
+
+    Attributes:
+        control: The knob's name in the scene.
+        hand: The hand.
+        turn_rad: How far, clockwise for who looks along it.
+    """
+
+    control: str
+    hand: Hand
+    turn_rad: float

@@ -60,7 +60,7 @@ class Control:
     position_m: Size
     facing: Literal["front", "top"] = "front"
     radius_m: float = 0.026
-    length_m: float = 0.035
+    length_m: float = 0.045
     travel: float = 1.6
     resistance: float = 0.08
     at: float = 0.0

@@ -17,7 +17,9 @@ CONTROL_FRICTION = 0.9
 """Of a knob with finger pads: ribbed plastic."""
 _MASS_KG = 0.05
 _DAMPING = {"knob": 0.01, "button": 5.0}
-_ARMATURE = {"knob": 1e-4, "button": 0.05}
+_ARMATURE = {"knob": 0.005, "button": 0.5}
+"""Nm s2/rad and kg: what is lighter has limits that give way."""
+_LIMIT_SOLREF = (0.004, 1.0)
 _PRELOAD = 0.3
 """Of a button's force: its spring holds it out by so much."""
 
@@ -55,6 +57,8 @@ def add_controls(spec: mujoco.MjSpec, piece: Furniture, description: RobotDescri
             damping=[_DAMPING[control.kind], 0.0, 0.0],
             armature=_ARMATURE[control.kind],
         )
+        joint.solref_limit = list(_LIMIT_SOLREF)
+        spec.add_exclude(bodyname1=control_body(piece, control), bodyname2="world")
         if not knob:
             stiffness = (1.0 - _PRELOAD) * control.resistance / control.travel
             joint.stiffness = [stiffness, 0.0, 0.0]

@@ -68,7 +68,7 @@ class DetectControl(LookLeaf):
 
 
 def _words(fitting: list[ControlTarget]) -> tuple[str, ...]:
-    """What tells them from each other: what they are called where they are called otherwise, else the side."""
+    """What tells them from each other: what they are called, else the side."""
     called = tuple(one.called for one in fitting)
     if len(set(called)) == len(called):
         return called

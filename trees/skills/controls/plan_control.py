@@ -8,7 +8,7 @@ from math import sin as _sine
 from py_trees.ports import PortInformation
 
 from kinematics.model.robot_description import Hand
-from kinematics.requests.control import ControlPlan, ControlRequest
+from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.grasp import Grasp
 from robots.scenes.furniture_names import KNOB
 from trees.failures import Failure
@@ -39,6 +39,12 @@ def hand_for(toolbox: Toolbox, control: ControlTarget, task: Task) -> tuple[Hand
     return tuple(sorted(has, key=lambda hand: hand != first))
 
 
+def turn_for(task: Task, control: ControlTarget) -> float:
+    """How far a knob has to be turned, rad, clockwise for who looks at it."""
+    off = isinstance(task, TurnKnobTask) and task.off
+    return -control.turned_rad if off else ON_RAD - control.turned_rad
+
+
 class PlanControl(PlanningLeaf[ControlPlan]):
     """Have the planner find a way for a hand to a knob, and to turn it; or to before a button."""
 
@@ -47,11 +53,11 @@ class PlanControl(PlanningLeaf[ControlPlan]):
         control=ControlTarget,
         tried=PortInformation(frozenset, default_value=frozenset()),
     )
-    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, turn=Step, back=Step)
+    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step)
     CONTRACT = Contract(
         precondition="the knob or button is in the world model; the robot is at rest",
-        postcondition="reach starts at the reference, approach follows on, and of a knob the turn with it in "
-        "the hand and the way back",
+        postcondition="reach starts at the reference, approach follows on; of a knob, the hand was found to be "
+        "able to turn it from there",
         deadline_s=20.0,
     )
 
@@ -63,9 +69,7 @@ class PlanControl(PlanningLeaf[ControlPlan]):
         if control.name not in toolbox.world.scene.objects:
             return Failure.infeasible(f"the {control.called} is not in the world model any more")
         knob = control.kind == KNOB
-        turn = None
-        if knob and isinstance(task, TurnKnobTask):
-            turn = -control.turned_rad if task.off else ON_RAD - control.turned_rad
+        turn = turn_for(task, control) if knob else None
         return ControlRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
@@ -83,8 +87,35 @@ class PlanControl(PlanningLeaf[ControlPlan]):
         self._set_output("grasp", plan.grasp)
         self.write_step("reach", plan.reach)
         self.write_step("approach", plan.approach)
-        if plan.turn is not None and plan.back is not None:
-            self.write_step("turn", plan.turn)
-            self.write_step("back", plan.back)
         self.feedback_message = f"{plan.grasp.hand} hand, {plan.grasp.label}"
         self.measured(hand=plan.grasp.hand, grasp=plan.grasp.label, considered=plan.considered)
+
+
+class PlanTurn(PlanningLeaf[TurnPlan]):
+    """Have the planner find the turn of a knob from where the hand holds it."""
+
+    INPUT_PORTS = ports(task=object, control=ControlTarget, grasp=Grasp)
+    OUTPUT_PORTS = ports(turn=Step, back=Step)
+    CONTRACT = Contract(
+        precondition="the hand holds the knob; the robot is at rest",
+        postcondition="turn starts at the reference, back follows on",
+        deadline_s=20.0,
+    )
+
+    def request(self) -> TurnRequest | Failure:
+        """As far as it has to be turned."""
+        toolbox, control = self.toolbox, self.get_input("control")
+        grasp: Grasp = self.get_input("grasp")
+        return TurnRequest(
+            q_start=toolbox.motion.reference(),
+            stance=toolbox.motion.stance(),
+            scene=toolbox.world.scene,
+            control=control.name,
+            hand=grasp.hand,
+            turn_rad=turn_for(self.get_input("task"), control),
+        )
+
+    def planned(self, plan: TurnPlan) -> None:
+        """Write both steps."""
+        self.write_step("turn", plan.turn)
+        self.write_step("back", plan.back)

@@ -22,7 +22,7 @@ from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.controls.detect_control import DetectControl, VerifyKnob
 from trees.skills.controls.fingers import CloseOnKnob
-from trees.skills.controls.plan_control import PlanControl
+from trees.skills.controls.plan_control import PlanControl, PlanTurn
 from trees.skills.controls.press_in import DrawBackFrom
 from trees.skills.looking.look_at import LookAt
 from trees.toolbox import Toolbox
@@ -75,11 +75,15 @@ def looking(toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Behaviour:
 
 def planned(toolbox: Toolbox, steps: Many[str]) -> Behaviour:
     """Plan the whole way, and check what is streamed of it."""
-    checks = [
+    return sequence("plan", PlanControl("plan control", toolbox), *checked(toolbox, steps))
+
+
+def checked(toolbox: Toolbox, steps: Many[str]) -> list[CheckTrajectory]:
+    """What judges some steps."""
+    return [
         CheckTrajectory(f"check {step}", toolbox, {"step": step, "checked": f"checked_{step}"})
         for step in steps
     ]
-    return sequence("plan", PlanControl("plan control", toolbox), *checks)
 
 
 def _attempt(toolbox: Toolbox) -> Behaviour:
@@ -89,9 +93,15 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
     }
     return sequence(
         "attempt",
-        planned(toolbox, ("reach", "approach", "turn", "back")),
+        planned(toolbox, ("reach", "approach")),
         sequence("come", Release("open gripper", toolbox), stream["reach"], stream["approach"]),
-        sequence("turn", CloseOnKnob("close on it", toolbox), stream["turn"]),
+        sequence("hold", CloseOnKnob("close on it", toolbox)),
+        sequence(
+            "turn",
+            PlanTurn("plan turn", toolbox),
+            *checked(toolbox, ("turn", "back")),
+            stream["turn"],
+        ),
         sequence("let go", Release("release", toolbox), stream["back"], GoHome("go home", toolbox)),
         verified(toolbox),
     )
