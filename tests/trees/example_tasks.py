@@ -7,6 +7,7 @@ from trees.given_motion import FollowTrajectoryTask
 from trees.registry import skills
 from trees.skills.about_people import TellTask
 from trees.skills.answer import AnswerTask
+from trees.skills.controls import PressTask, TurnKnobTask
 from trees.skills.follow import FollowTask
 from trees.skills.guide import GuideTask
 from trees.tasks import (
@@ -54,6 +55,8 @@ TASKS = {
     FollowTask: FollowTask("follow Ana", "Ana"),
     GuideTask: GuideTask("guide Ana to the table", "Ana", to="table"),
     AnswerTask: AnswerTask("tell me the time", "time"),
+    TurnKnobTask: TurnKnobTask("turn on the stove", ObjectDescription("stove")),
+    PressTask: PressTask("press the button", ObjectDescription("button")),
     TellTask: TellTask("tell me the name of the person", "name", ObjectDescription("person")),
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}
