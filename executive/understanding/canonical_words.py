@@ -179,4 +179,8 @@ def vocabulary() -> Vocabulary:
 @lru_cache(maxsize=4)
 def _vocabulary(things: tuple[str, ...]) -> Vocabulary:
     shipped = load_vocabulary((), cache_directory())
-    return shipped.with_things(things) if things else shipped
+    if not things:
+        return shipped
+    from executive.vocabulary.with_things import with_things  # a mere sentence needs none
+
+    return with_things(shipped, things)

@@ -78,7 +78,11 @@ def parser_with(user_files: tuple[Path, ...] = (), things: tuple[str, ...] = ())
         VocabularyError: A file of words is malformed.
     """
     vocabulary = load_vocabulary(user_files, cache_directory())
-    return CommandParser(vocabulary.with_things(things) if things else vocabulary, _rules())
+    if things:
+        from executive.vocabulary.with_things import with_things  # a mere sentence needs none
+
+        vocabulary = with_things(vocabulary, things)
+    return CommandParser(vocabulary, _rules())
 
 
 @lru_cache(maxsize=1)

@@ -6,14 +6,11 @@ import importlib.resources
 import itertools
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from executive.vocabulary.inflection import plural
-from executive.vocabulary.label_phrases import head_of, label_phrases
 from executive.vocabulary.word_lists import WordClass, read_classes
 from robots.kept import kept
 from robots.outside import VOCABULARY, outside_files
@@ -21,11 +18,6 @@ from robots.outside import VOCABULARY, outside_files
 __all__ = ["Reading", "Vocabulary", "WordClass", "Words", "load_vocabulary"]
 
 Words = tuple[str, ...]
-
-_THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
-"""Word classes of things: what one is called, what several are called, and those with ways of their own."""
-_FURNITURE = ("FURNITURE", "FURNITURES")
-"""What one piece is called, and several."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,96 +54,21 @@ class Vocabulary:
         """The vocabulary of some word classes."""
         return cls(*_prepared(classes))
 
-    def with_things(self, words: Sequence[str]) -> Vocabulary:
-        """The same vocabulary, and further words for kinds of things.
+    def beginning_with(self, word: str) -> str:
+        """The phrases that begin with a word, one a line, as they were given."""
+        return self._beginnings.get(word, "")
 
-        A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
-        A phrase of several words is one thing wherever it stands: "macaroni and cheese" is no list of two.
-        Furniture is meant as it is called there: where a bedside table is, a nightstand is one, and where a
-        wine rack is and no shelf, the rack is no shelf. A thing may be called by its colours in any order, by
-        what it is packed in, and by its last word.
-
-        Args:
-            words: Noun phrases in lower case, each as one thing is called.
-        """
-        added: dict[str, list[str]] = {}
-        instead: set[str] = set()
-        called: dict[str, str] = {}
-        for word in words:
-            length, readings = self.match(word.split())
-            known = length == len(word.split()) and any(
-                one.word_class in _THINGS and self.refusal(one, word) is None for one in readings
-            )
-            if length == len(word.split()):
-                called |= {one.meaning: word for one in readings if _is_otherwise_called(one, word)}
-            if not known:
-                many = word if word.endswith("s") and not word.endswith("ss") else plural(word)
-                for phrase, word_class in ((word, _THINGS[0]), (many, _THINGS[1])):
-                    added.setdefault(phrase.partition(" ")[0], []).append(_line(phrase, word_class, word))
-        for phrase, word_class, meaning in self._said_of(words):
-            added.setdefault(phrase.partition(" ")[0], []).append(_line(phrase, word_class, meaning))
-            instead.add(phrase)
-        firsts = {*added, *self._first_words_of(called)}
-        beginnings = {first: self._also(first, added.get(first, ()), called, instead) for first in firsts}
-        whole = (tuple(word.split()) for word in (*words, *instead) if " " in word)
-        return Vocabulary(list(self._heads.values()), ChainMap(beginnings, dict(self._beginnings)), whole)
-
-    def _said_of(self, labels: Sequence[str]) -> Iterator[tuple[str, str, str]]:
-        """How else the things of a place are called there: phrase, word class and meaning."""
-        colors = {phrase for phrases in self.classes["COLOR"].words.values() for phrase in phrases}
-        taken = set(labels)
-        for label in labels:
-            for phrase in label_phrases(label, colors):
-                if phrase not in taken:
-                    taken.add(phrase)
-                    yield phrase, _THINGS[0], label
-        kinds = {head_of(label) or label for label in labels}
-        for head in sorted(filter(None, map(head_of, labels))):
-            _, readings = self.match([head])
-            known = [one for one in readings if one.word_class in _THINGS and not self.refusal(one, head)]
-            if head in taken or head in colors or (known and not _is_furniture_else(known, head, kinds)):
-                continue
-            taken.add(head)
-            yield head, known[0].word_class if known else _THINGS[0], head
-
-    def _first_words_of(self, furniture: Mapping[str, str]) -> Iterator[str]:
-        """With what the phrases for some furniture begin."""
-        if furniture:
-            for name in _FURNITURE:
-                for meaning, phrases in self.classes[name].words.items():
-                    if meaning in furniture:
-                        yield from (phrase.partition(" ")[0] for phrase in phrases)
-
-    def _also(
-        self, first: str, lines: Sequence[str], called: Mapping[str, str], instead: AbstractSet[str]
-    ) -> str:
-        """Phrases that begin with a word, with further ones, which take the place of what is refused.
-
-        Args:
-            first: The word.
-            lines: The further ones.
-            called: What furniture is called here, by what it is called elsewhere.
-            instead: Phrases of which the further ones say what thing they mean, and nothing else does.
-        """
-        taken = {line.partition("\t")[0] for line in lines}
-        stay = [
-            _line(phrase, name, called.get(meaning, meaning) if name in _FURNITURE else meaning)
-            for phrase, name, meaning in _cut(self._beginnings.get(first, ""))
-            if phrase not in taken
-            or (
-                self.refusal(Reading(name, meaning), phrase) is None
-                and not (phrase in instead and name in _THINGS)
-            )
-        ]
-        return "\n".join([*stay, *lines])
+    def with_beginnings(self, beginnings: Mapping[str, str], whole: Iterable[Words]) -> Vocabulary:
+        """The same vocabulary with other phrases for some first words; see the class's arguments."""
+        return Vocabulary(
+            list(self._heads.values()), ChainMap(dict(beginnings), dict(self._beginnings)), whole
+        )
 
     @cached_property
     def classes(self) -> Mapping[str, WordClass]:
         """The word classes by name."""
         words: dict[str, dict[str, list[str]]] = {name: {} for name in self._heads}
-        for phrase, word_class, meaning in itertools.chain.from_iterable(
-            map(_cut, self._beginnings.values())
-        ):
+        for phrase, word_class, meaning in itertools.chain.from_iterable(map(cut, self._beginnings.values())):
             words[word_class].setdefault(meaning, []).append(phrase)
         return {
             name: WordClass(
@@ -179,7 +96,7 @@ class Vocabulary:
         if found is not None:
             return found
         readings: dict[Words, list[Reading]] = {}
-        for phrase, word_class, meaning in _cut(self._beginnings.get(word, "")):
+        for phrase, word_class, meaning in cut(self._beginnings.get(word, "")):
             readings.setdefault(tuple(phrase.split(" ")), []).append(Reading(word_class, meaning))
         found = tuple(dict.fromkeys(map(len, readings))), readings
         if readings:  # an unknown word is not kept: there is no end of them
@@ -205,21 +122,12 @@ class Vocabulary:
         return None if refusal is None else refusal.format(word=word, meaning=meaning)
 
 
-def _is_furniture_else(readings: Sequence[Reading], head: str, kinds: AbstractSet[str]) -> bool:
-    """Whether a word is elsewhere said of furniture of which there is none here: "rack" of a shelf."""
-    return all(one.word_class in _FURNITURE and one.meaning not in (head, *kinds) for one in readings)
-
-
-def _is_otherwise_called(one: Reading, word: str) -> bool:
-    """Whether furniture is called otherwise by it; "counter" of a kitchen counter is but shorter."""
-    return one.word_class in _FURNITURE and one.meaning not in (word, word.rpartition(" ")[2])
-
-
-def _line(phrase: str, word_class: str, meaning: str) -> str:
+def line(phrase: str, word_class: str, meaning: str) -> str:
+    """A phrase with its class and meaning, as a vocabulary keeps it."""
     return f"{phrase}\t{word_class}\t{meaning if meaning != phrase else ''}"
 
 
-def _cut(lines: str) -> Iterator[tuple[str, str, str]]:
+def cut(lines: str) -> Iterator[tuple[str, str, str]]:
     """The phrases of some lines, each with its word class and its meaning."""
     for line in lines.split("\n") if lines else ():
         phrase, word_class, meaning = line.split("\t")
@@ -257,6 +165,6 @@ def _prepared(classes: Sequence[WordClass]) -> tuple[list[Sequence[Any]], dict[s
     for one in classes:
         for meaning, phrases in one.words.items():
             for phrase in phrases:
-                line = _line(phrase, one.name, meaning)
-                beginnings.setdefault(phrase.partition(" ")[0], {})[line] = None
+                told = line(phrase, one.name, meaning)
+                beginnings.setdefault(phrase.partition(" ")[0], {})[told] = None
     return heads, {first: "\n".join(lines) for first, lines in beginnings.items()}

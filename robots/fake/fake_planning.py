@@ -18,6 +18,7 @@ from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.check import CheckRequest
+from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.gesture import (
     CarryRequest,
     GestureRequest,
@@ -27,7 +28,6 @@ from kinematics.requests.gesture import (
     SwingRequest,
 )
 from kinematics.requests.grasp import Grasp
-from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.requests.move import MovePlan, MoveRequest, RetreatRequest
 from kinematics.requests.pick import PickPlan, PickRequest
@@ -262,7 +262,9 @@ class FakePlanning:
         gripper = self._model.description.grippers[hand]
         world_T_tcp = self._model.frame_pose(there, gripper.tcp_frame)
         before = self.reach(there, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
-        in_hand = touching(gripper.touch_links, [request.control], ConcessionReason.HANDLE_IN_HAND, "approach")
+        in_hand = touching(
+            gripper.touch_links, [request.control], ConcessionReason.HANDLE_IN_HAND, "approach"
+        )
         return ControlPlan(
             grasp=Grasp(hand, "roll 0", world_T_tcp, _APPROACH_M, _BAR_M),
             reach=self._step("reach", request.q_start, before, request.stance, request.scene),

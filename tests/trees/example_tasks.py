@@ -7,7 +7,6 @@ from trees.given_motion import FollowTrajectoryTask
 from trees.registry import skills
 from trees.skills.about_people import TellTask
 from trees.skills.answer import AnswerTask
-from trees.skills.controls import PressTask, TurnKnobTask
 from trees.skills.follow import FollowTask
 from trees.skills.guide import GuideTask
 from trees.tasks import (
@@ -24,8 +23,10 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PointAtTask,
+    PressTask,
     PutInTask,
     SayTask,
+    TurnKnobTask,
     WaitTask,
     WalkToTask,
     WaveTask,

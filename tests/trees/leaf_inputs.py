@@ -23,7 +23,6 @@ from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
 from trees.skills.about_people.about import About
 from trees.skills.about_people.tell_about import TellAbout
-from trees.skills.controls import PressTask, TurnKnobTask
 from trees.skills.controls.control_target import ControlTarget
 from trees.skills.controls.detect_control import DetectControl, VerifyKnob
 from trees.skills.controls.fingers import CloseOnKnob, MakeFist
@@ -57,7 +56,7 @@ from trees.skills.walk_to.see_front import SeeFront
 from trees.skills.walk_to.squared_up import SquaredUp
 from trees.skills.walking.reachable_standing import Stand
 from trees.skills.walking.walk_to import WalkTo
-from trees.tasks import ObjectDescription, OpenTask, PutInTask
+from trees.tasks import ObjectDescription, OpenTask, PressTask, PutInTask, TurnKnobTask
 
 OPEN = OpenTask("open the fridge", ObjectDescription("fridge"))
 (FRIDGE,) = load_scene("fridge").furniture

@@ -47,7 +47,12 @@ def chat(
     ] = None,
     scene: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.toml|FILE.xml", help="Where.", show_default=DEFAULT_SCENE, callback=scene_given),
+        typer.Option(
+            metavar="NAME|FILE.toml|FILE.xml",
+            help="Where.",
+            show_default=DEFAULT_SCENE,
+            callback=scene_given,
+        ),
     ] = None,
     seed: Annotated[
         int | None,

@@ -19,8 +19,8 @@ from executive.cli.commands.choices import (
     PolicyOption,
     YesOption,
     not_empty,
-    scene_given,
     number_from,
+    scene_given,
     whole_number_from,
 )
 from executive.config import use_config

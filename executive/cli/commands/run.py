@@ -57,7 +57,12 @@ def run(
     ] = None,
     scene: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.toml|FILE.xml", help="Where.", show_default=DEFAULT_SCENE, callback=scene_given),
+        typer.Option(
+            metavar="NAME|FILE.toml|FILE.xml",
+            help="Where.",
+            show_default=DEFAULT_SCENE,
+            callback=scene_given,
+        ),
     ] = None,
     perception: PerceptionOption = None,
     seed: Annotated[

@@ -14,8 +14,7 @@ from robots.scenes.fixture import Control
 from robots.scenes.furniture_names import BUTTON, FIXTURE, KNOB
 from robots.scenes.scene_description import Furniture, PerceptionModel, SceneDescription
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
-from trees.skills.controls import PressTask, TurnKnobTask
-from trees.tasks import ObjectDescription
+from trees.tasks import ObjectDescription, PressTask, TurnKnobTask
 
 ON_RAD, OFF_RAD = 0.6, 0.3
 """A knob is on when it is turned by so much, off when by no more."""

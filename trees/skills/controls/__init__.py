@@ -2,53 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trees.skill import Need, Skill
-from trees.tasks import Thing
+from trees.tasks import PressTask, TurnKnobTask
 
 if TYPE_CHECKING:
     from py_trees.behaviour import Behaviour
 
-    from kinematics.model.robot_description import Hand
     from trees.toolbox import Toolbox
-
-
-@dataclass(frozen=True, slots=True)
-class TurnKnobTask:
-    """Turn a knob, or that of what is switched on or off by it.
-
-    Attributes:
-        text: The sentence that it came from.
-        object: The knob, or what it belongs to: "stove".
-        off: Whether it is turned back, instead of on.
-        hand: The hand to use, or None for the better one.
-    """
-
-    text: str
-    object: Thing
-    off: bool = False
-    hand: Hand | None = None
-
-    action = "turn_knob"
-
-
-@dataclass(frozen=True, slots=True)
-class PressTask:
-    """Press a button, or that of the thing that is named.
-
-    Attributes:
-        text: The sentence that it came from.
-        object: The button, or what it belongs to.
-        hand: The hand to use, or None for the better one.
-    """
-
-    text: str
-    object: Thing
-    hand: Hand | None = None
-
-    action = "press"
 
 
 def _turn(_task: TurnKnobTask, toolbox: Toolbox) -> Behaviour:

@@ -11,7 +11,6 @@ from trees.failures import Failure, OpenChoice
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
-from trees.skills.controls import PressTask, TurnKnobTask
 from trees.skills.controls.control_target import (
     IS_OFF_RAD,
     IS_ON_RAD,
@@ -21,7 +20,7 @@ from trees.skills.controls.control_target import (
 )
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
-from trees.tasks import ObjectDescription
+from trees.tasks import ObjectDescription, PressTask, TurnKnobTask
 
 
 class DetectControl(LookLeaf):

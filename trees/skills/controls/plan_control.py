@@ -17,9 +17,8 @@ from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Step
 from trees.readings.odometry import feet_pose
-from trees.skills.controls import TurnKnobTask
 from trees.skills.controls.control_target import ON_RAD, ControlTarget
-from trees.tasks import Task
+from trees.tasks import Task, TurnKnobTask
 from trees.toolbox import Toolbox
 
 BUTTON_SHORT_M = 0.035
@@ -56,8 +55,8 @@ class PlanControl(PlanningLeaf[ControlPlan]):
     OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step)
     CONTRACT = Contract(
         precondition="the knob or button is in the world model; the robot is at rest",
-        postcondition="reach starts at the reference, approach follows on; of a knob, the hand was found to be "
-        "able to turn it from there",
+        postcondition="reach starts at the reference, approach follows on; of a knob, the hand was found "
+        "to be able to turn it from there",
         deadline_s=20.0,
     )
 
