@@ -54,9 +54,8 @@ def _skilled(parts: Parts) -> Clause:
 
 def _switched(parts: Parts) -> Clause:
     """Turn something on or off, with the word behind it: "switch the stove on"."""
-    verb, *between, state = parts
-    meaning = "turn_knob off" if state.meaning == "off" else "turn_knob"
-    return _skilled((replace(verb, word_class="SKILL_AT", meaning=meaning), *between))
+    verb, items, state = parts
+    return _knob(verb, items, " off" if state.meaning == "off" else "")
 
 
 def _turned(parts: Parts) -> Clause:
@@ -64,7 +63,11 @@ def _turned(parts: Parts) -> Clause:
     verb, items = parts
     if any(item.of.kind != KNOB for item in items.each):
         raise unfit()
-    return _skilled((replace(verb, word_class="SKILL_AT", meaning="turn_knob"), items))
+    return _knob(verb, items)
+
+
+def _knob(verb: Word, items: Items, state: str = "") -> Clause:
+    return _skilled((replace(verb, word_class="SKILL_AT", meaning=f"turn_knob{state}"), items))
 
 
 def _aimed(item: Item) -> tuple[Nominal, Nominal | None]:

@@ -81,7 +81,8 @@ def _on_side(parts: Parts) -> Feature | Trouble | None:
     if any(word.meaning in ("my", "our") for word in words(parts, "DET")):
         return Trouble("left and right are seen from the robot; which side is meant?", asks=True)
     rank = _SIDES.get(side.meaning, side.meaning)
-    return Feature("ordinal", rank) if rank in _ENDS else None
+    before = rank == "front" and not words(parts, "DET")  # "the person in front"
+    return Feature("ordinal", rank) if rank in _ENDS and not before else None
 
 
 def _from_side(parts: Parts) -> Feature:
