@@ -42,6 +42,8 @@ _FOREMOST_M = 0.003
 _TURN_POINTS = 5
 _TURN_PACE = Pace(velocity=0.25, acceleration=0.5)
 _ROLLS = (0.0, math.pi)
+_SHARES = (1.0, 0.85, 0.7)
+"""Of a turn, where the hand holds the knob otherwise than was thought: what has switched is seen."""
 _TOLERANCE = IkTolerance(com_margin_m=0.05)
 
 
@@ -150,7 +152,9 @@ class _ControlTask(PlanningTask):
             return "legs cannot follow"
         return ControlPlan(grasp, first, second, self.considered)
 
-    def turned(self, hand: Hand, q: Array, turn_rad: float) -> tuple[Curve, Curve] | str:
+    def turned(
+        self, hand: Hand, q: Array, turn_rad: float, scene: PlanningScene | None = None
+    ) -> tuple[Curve, Curve] | str:
         """The turn of a hand about its own x from a configuration, and the way straight back."""
         ik, frame = self.ik_of(hand), self._model.description.grippers[hand].tcp_frame
         start = self._model.frame_pose(q, frame)
@@ -162,7 +166,7 @@ class _ControlTask(PlanningTask):
             if not found.within(_TOLERANCE):
                 return "the wrist does not turn so far"
             configurations.append(found.q)
-        near = self.planner_in(self._touching(hand))
+        near = self.planner_in(self._touching(hand, scene))
         curve = PolynomialCurve(self._with_gaze(configurations, q))
         if not near.curve_is_free(curve):
             return "turning collides"
@@ -177,9 +181,14 @@ class _ControlTask(PlanningTask):
         """The turn from where the hand is, with the knob in it."""
         control = self.request.control
         q = self.request.q_start
-        turned = self.turned(hand, q, turn_rad)
+        turned: tuple[Curve, Curve] | str = ""
+        for share in _SHARES:
+            turned = self.turned(hand, q, share * turn_rad, self.scene)
+            if not isinstance(turned, str):
+                break
+            self.reasons[turned] += 1
         if isinstance(turned, str):
-            return NoPlan(f"the {control} cannot be turned from here", {turned: 1})
+            return NoPlan(f"the {control} cannot be turned from here", dict(self.reasons))
         links = self._model.description.grippers[hand].touch_links
         steps = []
         for name, curve, pace in zip(("turn", "back"), turned, (_TURN_PACE, CARTESIAN_PACE), strict=True):
@@ -200,7 +209,8 @@ class _ControlTask(PlanningTask):
             rows[:, column] = head[column]
         return rows
 
-    def _touching(self, hand: Hand) -> PlanningScene:
-        """The scene in which this hand may touch the control."""
+    def _touching(self, hand: Hand, scene: PlanningScene | None = None) -> PlanningScene:
+        """A scene, the request's when left out, in which this hand may touch the control."""
         links = self._model.description.grippers[hand].touch_links
-        return self.request.scene.allowing((link, self.request.control) for link in links)
+        around = self.request.scene if scene is None else scene
+        return around.allowing((link, self.request.control) for link in links)

@@ -53,21 +53,12 @@ def _skilled(parts: Parts) -> Clause:
 
 
 def _switched(parts: Parts) -> Clause:
-    """Turn something on or off, with the word behind it: "switch the stove on"."""
-    verb, items, state = parts
-    return _knob(verb, items, " off" if state.meaning == "off" else "")
-
-
-def _turned(parts: Parts) -> Clause:
-    """Turn a knob; other things are turned in other ways."""
-    verb, items = parts
-    if any(item.of.kind != KNOB for item in items.each):
+    """Turn something on or off, with the word behind it, or a knob; other things are turned in other ways."""
+    verb, items, *state = parts
+    if not state and any(item.of.kind != KNOB for item in items.each):
         raise unfit()
-    return _knob(verb, items)
-
-
-def _knob(verb: Word, items: Items, state: str = "") -> Clause:
-    return _skilled((replace(verb, word_class="SKILL_AT", meaning=f"turn_knob{state}"), items))
+    meaning = "turn_knob off" if state and state[0].meaning == "off" else "turn_knob"
+    return _skilled((replace(verb, word_class="SKILL_AT", meaning=meaning), items))
 
 
 def _aimed(item: Item) -> tuple[Nominal, Nominal | None]:
@@ -119,7 +110,6 @@ MEANINGS = meanings(
     {
         "skilled": _skilled,
         "switched": _switched,
-        "turned": _turned,
         "answer": _answer,
         "tell": _tell,
     }

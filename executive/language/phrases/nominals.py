@@ -86,15 +86,10 @@ def _part_of(parts: Parts) -> Nominal | Trouble | None:
     return described(named, parts)
 
 
-def _whole(nominal: Nominal, _parts: Parts) -> Nominal:
+def _whole(parts: Parts) -> Nominal | Trouble | None:
     """What something is a part of: "the wooden cabinet"."""
-    return replace(nominal, determined=True)
-
-
-def _named(parts: Parts) -> Parts:
-    """With the noun that a single word is."""
-    *before, word = parts
-    return *before, _noun((word,))
+    told = described(_noun(parts[-1:]), parts)
+    return replace(told, determined=True) if isinstance(told, Nominal) else told
 
 
 def _one(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
@@ -158,7 +153,7 @@ MEANINGS: Mapping[str, Meaning] = {
     "filled": _filled,
     "door_of": _door_of,
     "part_of": _part_of,
-    "whole": lambda parts: of_noun(_whole)(_named(parts)),
+    "whole": _whole,
     "one": of_noun(_one),
     "owned": of_noun(_owned),
     "simple": _simple,
