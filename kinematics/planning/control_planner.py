@@ -139,9 +139,11 @@ class _ControlTask(PlanningTask):
         links = self._model.description.grippers[grasp.hand].touch_links
         in_hand = touching(links, (request.control,), ConcessionReason.HANDLE_IN_HAND, "approach")
         if request.turn_rad is not None:
-            turned = self.turned(grasp.hand, self.space.to_q(x_there[None, :])[0][0], request.turn_rad)
-            if isinstance(turned, str):
-                return turned
+            q_there = self.space.to_q(x_there[None, :])[0][0]
+            ways = (self.turned(grasp.hand, q_there, share * request.turn_rad) for share in _SHARES)
+            reasons = [way for way in ways if isinstance(way, str)]
+            if len(reasons) == len(_SHARES):
+                return reasons[-1]
         arms = self._model.description.arms
         reach = self.path(x_before, arms, np.random.default_rng(request.seed))
         if reach is None:
