@@ -8,6 +8,7 @@ and each hand.
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections.abc import Iterator
 
@@ -36,8 +37,8 @@ from kinematics.standing.reserves import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
 from kinematics.timing.curve_timing import Pace
 
 _APPROACH_M = 0.08
-_FINGER_ROOM_M = 0.012
-"""Between closed fingertips and what a knob is on, for what it is misjudged by."""
+_FINGER_ROOMS_M = (("", 0.012), (" less deep", 0.020), (" at its end", 0.028))
+"""Between closed fingertips and what a knob is on, in words and m: that is misjudged by millimetres too."""
 _FOREMOST_M = 0.003
 _TURN_POINTS = 5
 _TURN_PACE = Pace(velocity=0.25, acceleration=0.5)
@@ -81,15 +82,16 @@ class _ControlTask(PlanningTask):
         request = self.request
         control = request.scene.objects[request.control]
         for hand in request.hands:
-            for roll in _ROLLS:
-                label = f"roll {math.degrees(roll):.0f}"
+            rooms = _FINGER_ROOMS_M if request.turn_rad is not None else _FINGER_ROOMS_M[:1]
+            for (deep, room_m), roll in itertools.product(rooms, _ROLLS):
+                label = f"roll {math.degrees(roll):.0f}{deep}"
                 if key_of(hand, label) in request.excluded:
                     continue
-                pose = self._at(control, hand, roll)
+                pose = self._at(control, hand, roll, room_m)
                 thick = control.shape.size_m[2] if isinstance(control.shape, Box) else 0.02
                 yield Grasp(hand, label, pose, _APPROACH_M, thick)
 
-    def _at(self, control: SceneObject, hand: Hand, roll: float) -> Transform:
+    def _at(self, control: SceneObject, hand: Hand, roll: float, room_m: float) -> Transform:
         """Pose of the TCP, shape (4, 4): its x inwards, and about a knob its y across the bar."""
         pose = control.world_T_object
         long = control.shape.size_m[0] if isinstance(control.shape, Box) else 0.0
@@ -97,7 +99,7 @@ class _ControlTask(PlanningTask):
             rotation = pose[:3, :3] @ poses.rotation_x(0.5 * math.pi + roll)
             points = hand_points(self._model, hand, self.request.q_start)
             advance_m = self._model.description.grippers[hand].closing_advance_m
-            stands_off_m = float(points[:, 0].max()) + advance_m + _FINGER_ROOM_M
+            stands_off_m = float(points[:, 0].max()) + advance_m + room_m
             return poses.transform(rotation, pose[:3, 3] + (0.5 * long - stands_off_m) * pose[:3, 0])
         yaw = poses.yaw_of(pose[:3, :3])
         rotation = poses.rotation_z(yaw) @ poses.rotation_x(0.5 * math.pi + roll)
