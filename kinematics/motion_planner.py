@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 from kinematics.dynamics.held_load import loaded, loads_in
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import HeldLoad
+from kinematics.planning.control_planner import ControlPlanner
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.planning.handle_planner import HandlePlanner
 from kinematics.planning.move_planner import plan_move
@@ -20,6 +21,7 @@ from kinematics.planning.pick_planner import PickPlanner
 from kinematics.planning.place_planner import PlacePlanner
 from kinematics.planning.retreat_planner import plan_retreat
 from kinematics.planning.view_planner import ViewPlanner
+from kinematics.requests.control import ControlRequest, TurnRequest
 from kinematics.requests.handle import HandleRequest
 from kinematics.requests.move import MoveRequest, RetreatRequest
 from kinematics.requests.pick import PickRequest
@@ -39,6 +41,8 @@ def planners(model: RobotModel) -> Planners:
         PickRequest: PickPlanner(model).plan,
         PlaceRequest: PlacePlanner(model).plan,
         HandleRequest: HandlePlanner(model).plan,
+        ControlRequest: ControlPlanner(model).plan,
+        TurnRequest: ControlPlanner(model).plan_turn,
         ViewRequest: ViewPlanner(model).plan,
         MoveRequest: partial(plan_move, model),
         RetreatRequest: partial(plan_retreat, model),

@@ -212,6 +212,42 @@ class CloseTask:
 
 
 @dataclass(frozen=True, slots=True)
+class TurnKnobTask:
+    """Turn a knob, or that of what is switched on or off by it.
+
+    Attributes:
+        text: The sentence that it came from.
+        object: The knob, or what it belongs to: "stove".
+        off: Whether it is turned back, instead of on.
+        hand: The hand to use, or None for the better one.
+    """
+
+    text: str
+    object: Thing
+    off: bool = False
+    hand: Hand | None = None
+
+    action = "turn_knob"
+
+
+@dataclass(frozen=True, slots=True)
+class PressTask:
+    """Press a button, or that of the thing that is named.
+
+    Attributes:
+        text: The sentence that it came from.
+        object: The button, or what it belongs to.
+        hand: The hand to use, or None for the better one.
+    """
+
+    text: str
+    object: Thing
+    hand: Hand | None = None
+
+    action = "press"
+
+
+@dataclass(frozen=True, slots=True)
 class WalkToTask:
     """Walk to a place, a piece of furniture, an object or a person."""
 

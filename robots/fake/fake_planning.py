@@ -18,6 +18,7 @@ from kinematics.motion.trajectory import Trajectory
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.planning.gesture_planner import GesturePlanner
 from kinematics.requests.check import CheckRequest
+from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.gesture import (
     CarryRequest,
     GestureRequest,
@@ -115,6 +116,8 @@ class FakePlanning:
             PickRequest: self._pick,
             PlaceRequest: self._place,
             HandleRequest: self._handle,
+            ControlRequest: self._control,
+            TurnRequest: self._turn,
             OfferRequest: self._offer,
             **dict.fromkeys((RaiseHandRequest, SwingRequest, PointRequest, CarryRequest), self._gesture),
             RetreatRequest: self._retreat,
@@ -247,6 +250,40 @@ class FakePlanning:
             approach=self._step("approach", before, at_bar, request.stance, request.scene, in_hand),
             farthest_s=request.s_to,
             considered=1,
+        )
+
+    def _control(self, request: ControlRequest) -> ControlPlan | NoPlan:
+        """To the knob or button, in whatever orientation; that a knob can be turned is taken for granted."""
+        left = [hand for hand in request.hands if f"{hand} roll 0" not in request.excluded]
+        if not left:
+            return NoPlan("every way was tried before", {"tried before": len(request.hands)})
+        hand, place = left[0], request.scene.objects[request.control].world_T_object[:3, 3]
+        there = self.reach(request.q_start, hand, place)
+        gripper = self._model.description.grippers[hand]
+        world_T_tcp = self._model.frame_pose(there, gripper.tcp_frame)
+        before = self.reach(there, hand, place - _APPROACH_M * world_T_tcp[:3, 0])
+        in_hand = touching(
+            gripper.touch_links, [request.control], ConcessionReason.HANDLE_IN_HAND, "approach"
+        )
+        return ControlPlan(
+            grasp=Grasp(hand, "roll 0", world_T_tcp, _APPROACH_M, _BAR_M),
+            reach=self._step("reach", request.q_start, before, request.stance, request.scene),
+            approach=self._step("approach", before, there, request.stance, request.scene, in_hand),
+            considered=1,
+        )
+
+    def _turn(self, request: TurnRequest) -> TurnPlan:
+        """A little aside instead of about the hand's own axis, and back."""
+        gripper = self._model.description.grippers[request.hand]
+        here = self._model.frame_pose(request.q_start, gripper.tcp_frame)
+        there = self.reach(request.q_start, request.hand, here[:3, 3] + 0.02 * here[:3, 1])
+        back = self.reach(there, request.hand, here[:3, 3] - _APPROACH_M * here[:3, 0])
+        links, parts = gripper.touch_links, [request.control]
+        turning = touching(links, parts, ConcessionReason.HANDLE_IN_HAND, "turn")
+        leaving = touching(links, parts, ConcessionReason.HANDLE_IN_HAND, "back")
+        return TurnPlan(
+            self._step("turn", request.q_start, there, request.stance, request.scene, turning),
+            self._step("back", there, back, request.stance, request.scene, leaving),
         )
 
     def _carry(self, q: Array, hand: Hand, place: Array, body: AttachedBody) -> Array:

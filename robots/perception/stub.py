@@ -37,7 +37,9 @@ from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
 from robots.perception.truth_view import TrueObject, TruthView
 from robots.scenes.articulated import PART_KINDS, moving_solids
+from robots.scenes.fixture import CONTROL_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import PerceptionModel, SceneDescription, spoken_words
 from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
@@ -301,7 +303,7 @@ def _piece(solid: TrueObject) -> str:
 
     Doors, drawers and handles are seen, and misjudged, each on its own.
     """
-    alone = solid.category != "furniture" or solid.kind in PART_KINDS
+    alone = solid.category != "furniture" or solid.kind in (*PART_KINDS, *CONTROL_KINDS)
     return solid.name if alone else solid.name.split("/", 1)[0]
 
 
@@ -375,7 +377,7 @@ def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str
     extra = {word.casefold() for word in declared}
     if ANY_LABEL in extra:
         return None
-    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called}
+    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called} - {FIXTURE}
     return frozenset(word.casefold() for word in known)
 
 
@@ -386,6 +388,9 @@ def labels_in(scene: SceneDescription) -> frozenset[str] | None:
         scene: What is there, and what it declares.
     """
     people = ["person"] if scene.people else []
-    parts = [solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)]
+    parts: list[str] = [
+        solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)
+    ]
+    parts += [control.kind for piece in scene.furniture for control in piece.controls]
     called = [*spoken_words(scene), *people, *filter(None, parts)]
     return told_labels(called, scene.perception.labels)

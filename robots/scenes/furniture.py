@@ -11,6 +11,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
 from robots.scenes.articulated import ARTICULATED_KINDS, fixed_boxes
+from robots.scenes.fixture import fixture_boxes
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import Furniture
 
 BOARD_KINDS = ("counter", "shelf")
@@ -106,7 +108,7 @@ TABLE_TOP_M = 0.04
 TABLE_LEG_M = 0.05
 """Edge of a table's square legs, flush with the corners of the top."""
 
-FURNITURE_KINDS = ("table", *BOARD_KINDS, WALL, *ARTICULATED_KINDS)
+FURNITURE_KINDS = ("table", *BOARD_KINDS, WALL, *ARTICULATED_KINDS, FIXTURE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +154,7 @@ def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
 _BOXES: Mapping[str, Callable[[Furniture], Boxes]] = MappingProxyType(
     {
         WALL: wall_boxes,
+        FIXTURE: lambda item: fixture_boxes(item.size_m, item.foot_m, item.boxes),
         **dict.fromkeys(BOARD_KINDS, board_boxes),
         **dict.fromkeys(ARTICULATED_KINDS, fixed_boxes),
     }

@@ -7,6 +7,13 @@ people use it; what can be done there follows from the kind.
 from __future__ import annotations
 
 from types import MappingProxyType
+from typing import Final
+
+FIXTURE: Final = "fixture"
+"""The kind of what is fixed where it stands and is no furniture of a usual kind; it has a name of its own."""
+KNOB: Final = "knob"
+BUTTON: Final = "button"
+"""Kinds of what fingers turn and press on it."""
 
 _KINDS = MappingProxyType({"table": "table", "desk": "table", "counter": "counter", "shelf": "shelf"})
 """Kinds by the last word of a name, which says what the rest only tells apart."""
@@ -35,6 +42,8 @@ def own_name(name: str, kind: str) -> str | None:
         kind: "table".
     """
     words = " ".join(name.lower().rstrip("0123456789").split())
+    if kind == FIXTURE:
+        return words if words != kind else None
     return words if words != kind and kind_called(words) == kind else None
 
 
@@ -47,6 +56,8 @@ def kind_that_name_contradicts(name: str, kind: str) -> str | None:
         kind: "table".
     """
     words = name.lower().rstrip("0123456789").split()
+    if kind == FIXTURE:
+        return None  # it may look like anything
     kinds = {**_KINDS, **_OTHER_KINDS}
     told = kinds.get(words[-1]) if words else None
     return told if told != kind and kind not in (kinds.get(word) for word in words) else None

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.arrays import Sealed
+from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from robots.scenes.hull_overlap import hulls_overlap
 
 TOUCH_TOLERANCE_M = 0.0005
 """Deeper than this two things overlap; shallower they touch."""
@@ -83,7 +84,18 @@ def overlap(a: PlacedSolid, b: PlacedSolid) -> bool:
     apart = np.abs(a.world_T_solid[:3, 3] - b.world_T_solid[:3, 3])
     if np.any(apart > _extents(a) + _extents(b)):
         return False
-    return _some_point_inside(a, b) or _some_point_inside(b, a)
+    if not (_some_point_inside(a, b) or _some_point_inside(b, a)):
+        return False
+    if a.shape.parts is None and b.shape.parts is None:
+        return True
+    return hulls_overlap(_hulls(a), _hulls(b), TOUCH_TOLERANCE_M)
+
+
+def _hulls(solid: PlacedSolid) -> list[Array]:
+    """What it is made of, as corners in the world; of what has no parts a few of its own surface."""
+    parts = solid.shape.parts
+    own = [_samples(solid.shape)] if parts is None else parts.hulls
+    return [hull @ solid.world_T_solid[:3, :3].T + solid.world_T_solid[:3, 3] for hull in own]
 
 
 def _some_point_inside(probe: PlacedSolid, target: PlacedSolid) -> bool:

@@ -16,6 +16,7 @@ from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
 from robots.scenes.fixed_camera import FixedCamera
+from robots.scenes.fixture import Control, FixedBox
 from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
 from robots.scenes.meshes.object_model import ObjectModel
@@ -112,7 +113,9 @@ class Furniture:
     """A piece of furniture: a table, or something that opens (see ``robots.scenes.articulated``).
 
     ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
-    ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one.
+    ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one. Of a fixture
+    (see ``robots.scenes.fixture``) ``foot_m`` is the height of its underside, ``boxes`` what it is made of
+    where that is not one box, and ``controls`` are its knobs and buttons.
     """
 
     name: str
@@ -122,6 +125,9 @@ class Furniture:
     yaw_rad: float = 0.0
     friction: float = 0.7
     opens: MovingPart | None = None
+    foot_m: float = 0.0
+    boxes: tuple[FixedBox, ...] = ()
+    controls: tuple[Control, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

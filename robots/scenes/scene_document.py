@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import difflib
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag, ValidationInfo
 
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.scenes.fixed_camera import FixedCamera
+from robots.scenes.fixture import Control, FixedBox
 from robots.scenes.light import Light, LightChange, LightKind
 from robots.scenes.meshes.sidecar import UpKey
 from robots.scenes.scene_description import (
@@ -137,6 +139,20 @@ class FridgeTable(_OpeningTable):
         )
 
 
+class FixtureTable(_PieceTable):
+    """What is fixed where it stands, made of boxes, with its knobs and buttons."""
+
+    kind: Literal["fixture"]
+    foot_m: FiniteFloat = 0.0
+    box: list[Annotated[FixedBox, AsTable()]] = Field(default_factory=list)
+    control: list[Annotated[Control, AsTable()]] = Field(default_factory=list)
+
+    def value(self) -> Furniture:
+        """What it says."""
+        made = (tuple(self.box), tuple(self.control))
+        return replace(super().value(), foot_m=self.foot_m, boxes=made[0], controls=made[1])
+
+
 def _position(value: Any, info: ValidationInfo) -> Any:
     """Two numbers of what stands on furniture, three of what stands free."""
     return as_tuple(value, 3 if info.data.get("on") is None else 2)
@@ -229,7 +245,9 @@ class MeshTable(_ObjectTable):
     friction: FiniteFloat | None = None  # type: ignore[assignment]
 
 
-AnyFurniture = Annotated[FurnitureTable | DrawersTable | FridgeTable, Field(discriminator="kind")]
+AnyFurniture = Annotated[
+    FurnitureTable | DrawersTable | FridgeTable | FixtureTable, Field(discriminator="kind")
+]
 ObjectTable = CylinderTable | BowlTable | BoxTable | BallTable | MeshTable
 
 _A_SLIP = 0.8

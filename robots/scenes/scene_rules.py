@@ -13,7 +13,8 @@ from robots.errors import SceneError
 from robots.scenes import articulated, fixed_camera, furniture, light
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
 from robots.scenes.fixed_camera import FixedCamera
-from robots.scenes.furniture_names import kind_that_name_contradicts
+from robots.scenes.fixture import fixture_defect
+from robots.scenes.furniture_names import FIXTURE, kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m
@@ -80,7 +81,12 @@ START_HALF_WIDTH_M = 0.30
 START_REACH_M = (-0.15, 0.215)
 """Floor that a standing humanoid covers around the middle of its feet: behind, ahead to the knees."""
 _SMALLEST_TABLE_M = (2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_LEG_M, 2.0 * furniture.TABLE_TOP_M)
-_SMALLEST_M = {"counter": (0.2, 0.2, 0.3), "shelf": (0.1, 0.2, 0.2), "wall": (0.02, 0.05, 0.2)}
+_SMALLEST_M = {
+    FIXTURE: (0.01, 0.01, 0.005),
+    "counter": (0.2, 0.2, 0.3),
+    "shelf": (0.1, 0.2, 0.2),
+    "wall": (0.02, 0.05, 0.2),
+}
 _SMALLEST_PLACE_M = 1.0
 """A robot needs so much room to stand and turn."""
 PERSON_RADIUS_M = 0.22
@@ -183,7 +189,10 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     finite = all(map(math.isfinite, (*piece.position_m, piece.yaw_rad)))
     _require(finite, source, f"{key}.position_m", f"{piece.name!r}: must be finite")
     _check_friction(piece.friction, piece.name, source, key)
-    if (defect := part_defect(piece)) is not None:
+    defect = part_defect(piece)
+    if piece.kind == FIXTURE:
+        defect = defect or fixture_defect(piece.size_m, piece.foot_m, piece.boxes, piece.controls)
+    if defect is not None:
         raise SceneError(source, f"{key}.{defect[0]}", f"{piece.name!r}: {defect[1]}")
 
 
@@ -257,7 +266,11 @@ def _check_names(scene: SceneDescription, source: str) -> None:
 
 
 def _check_places(scene: SceneDescription, source: str) -> None:
-    pieces = [(f"furniture[{i}]", _outline(piece)) for i, piece in enumerate(scene.furniture)]
+    pieces = [
+        (f"furniture[{i}]", _outline(piece))
+        for i, piece in enumerate(scene.furniture)
+        if piece.kind != FIXTURE
+    ]
     people = [(f"person[{i}]", _mannequin(person)) for i, person in enumerate(scene.people)]
     items = [(f"object[{i}]", _whole(item)) for i, item in enumerate(scene.objects)]
     start = scene.robot_start
@@ -274,6 +287,11 @@ def _check_places(scene: SceneDescription, source: str) -> None:
             not overlap(body, solid), source, "robot_start",
             f"stands inside {solid.label} ({key}.position_m)",
         )  # fmt: skip
+    for i, piece in enumerate(scene.furniture):
+        for part in furniture.solids(piece) if piece.kind == FIXTURE else ():
+            stands = overlap(body, PlacedSolid("", part.shape, part.world_T_solid))
+            reason = f"stands inside furniture {piece.name!r} (furniture[{i}].position_m)"
+            _require(not stands, source, "robot_start", reason)
     for i, (key, solid) in enumerate(large):
         for _, other in large[:i]:
             _require(not overlap(solid, other), source, f"{key}.position_m", f"overlaps {other.label}")

@@ -10,6 +10,7 @@ from typing import Any
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.scenes.fixed_camera import FixedCamera
+from robots.scenes.fixture import Control
 from robots.scenes.light import Light
 from robots.scenes.scene_description import Furniture, Person, SceneDescription
 
@@ -44,6 +45,13 @@ def dump(scene: SceneDescription) -> str:
         lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
         lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
         lines += _pairs(**_part_values(piece))
+        if piece.foot_m != 0.0:
+            lines += _pairs(foot_m=piece.foot_m)
+        for box in piece.boxes:
+            lines += ["[[furniture.box]]", *_pairs(size_m=box.size_m, position_m=box.position_m)]
+        for control in piece.controls:
+            said = {item.name: getattr(control, item.name) for item in fields(Control)}
+            lines += ["[[furniture.control]]", *_pairs(**said)]
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)

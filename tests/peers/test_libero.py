@@ -9,7 +9,7 @@ import pytest
 from robots.simulated.importing.bodies import WORLD, read_foreign
 from robots.simulated.importing.foreign_object import foreign_object
 from robots.simulated.importing.inventory import inventory_of
-from tools.benchmark.peers.environments import ASSET_NAMES, PeerEnvironment, default_cache
+from tools.benchmark.peers.environments import PeerEnvironment, default_cache
 
 FOLDERS = ("custom_objects", "stable_hope_objects", "stable_scanned_objects", "turbosquid_objects")
 LEAST_SHARE = 0.95
@@ -22,7 +22,7 @@ DRAWERS = {"white_cabinet": 3, "wooden_cabinet": 3, "yellow_cabinet": 3, "short_
 
 @pytest.fixture(scope="module")
 def assets():
-    environment = PeerEnvironment(*ASSET_NAMES, default_cache())
+    environment = PeerEnvironment("libero", default_cache())
     if not environment.is_ready:
         pytest.skip(
             f"{environment.name} is not installed: python -m tools.benchmark.peers {environment.name}"

@@ -23,8 +23,10 @@ from trees.tasks import (
     PickTask,
     PlaceTask,
     PointAtTask,
+    PressTask,
     PutInTask,
     SayTask,
+    TurnKnobTask,
     WaitTask,
     WalkToTask,
     WaveTask,
@@ -54,6 +56,8 @@ TASKS = {
     FollowTask: FollowTask("follow Ana", "Ana"),
     GuideTask: GuideTask("guide Ana to the table", "Ana", to="table"),
     AnswerTask: AnswerTask("tell me the time", "time"),
+    TurnKnobTask: TurnKnobTask("turn on the stove", ObjectDescription("stove")),
+    PressTask: PressTask("press the button", ObjectDescription("button")),
     TellTask: TellTask("tell me the name of the person", "name", ObjectDescription("person")),
 }
 TASKS |= {skill.task: skill.task_of(skill.example) for skill in skills().values() if skill.task not in TASKS}

@@ -5,7 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
 from kinematics.requests.check import CheckRequest
+from kinematics.requests.control import ControlRequest
 from kinematics.requests.handle import HandleRequest
 from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, person, table
@@ -21,6 +23,11 @@ from trees.beliefs.scene.held_object import HeldObject
 from trees.port_values import CheckedStep
 from trees.skills.about_people.about import About
 from trees.skills.about_people.tell_about import TellAbout
+from trees.skills.controls.control_target import ControlTarget
+from trees.skills.controls.detect_control import DetectControl, VerifyKnob
+from trees.skills.controls.fingers import CloseOnKnob, MakeFist
+from trees.skills.controls.plan_control import PlanControl, PlanTurn
+from trees.skills.controls.press_in import DrawBackFrom, PressIn
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.handle.approach_handle import ApproachHandle
 from trees.skills.doors.handle.grasp_handle import GraspHandle
@@ -49,11 +56,13 @@ from trees.skills.walk_to.see_front import SeeFront
 from trees.skills.walk_to.squared_up import SquaredUp
 from trees.skills.walking.reachable_standing import Stand
 from trees.skills.walking.walk_to import WalkTo
-from trees.tasks import ObjectDescription, OpenTask, PutInTask
+from trees.tasks import ObjectDescription, OpenTask, PressTask, PutInTask, TurnKnobTask
 
 OPEN = OpenTask("open the fridge", ObjectDescription("fridge"))
 (FRIDGE,) = load_scene("fridge").furniture
 _AJAR_RAD = 0.3
+TURN = TurnKnobTask("turn on the stove", ObjectDescription("stove"))
+PRESS = PressTask("press the button", ObjectDescription("button"))
 
 
 def fridge(opening_rad, away_m=0.0):
@@ -259,7 +268,58 @@ def somebody_in_view(stage):
     return {"known": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9)}
 
 
+def control_of(stage, kind, turned_rad=0.0):
+    """A knob or button before the robot, as it was seen."""
+    clear(stage)
+    size = (0.045, 0.052, 0.024) if kind == "knob" else (0.015, 0.04, 0.04)
+    turn = poses.transform(poses.rotation_x(turned_rad), (0.0, 0.0, 0.0))
+    pose = poses.translation(0.42, 0.25, 0.05) @ turn
+    one = TrueObject(kind, "furniture", kind, None, Box(size), pose, names=(f"stove {kind}",))
+    stage.fake.world.put(one)
+    believe(stage, [one])
+    return ControlTarget(kind, kind, f"stove {kind}", pose)
+
+
+def knob(stage):
+    return {"task": TURN, "control": control_of(stage, "knob")}
+
+
+def knob_that_is_on(stage):
+    return {"task": TURN, "control": control_of(stage, "knob", 1.1)}
+
+
+def button(stage):
+    return {"task": PRESS, "control": control_of(stage, "button")}
+
+
+def way_to_control(stage, given):
+    """With a plan to come to it, at the end of which the hand is."""
+    request = ControlRequest(
+        stage.fake.motion.reference(), stage.fake.motion.stance(), stage.told.scene, given["control"].name
+    )
+    plan = stage.fake.planning.answer(request)
+    stage.fake.motion.be_at(plan.approach.trajectory.q[-1])
+    stage.fake.step()
+    return {**given, "grasp": plan.grasp}
+
+
+def hand_at_knob(stage):
+    return way_to_control(stage, knob(stage))
+
+
+def hand_at_button(stage):
+    return way_to_control(stage, button(stage))
+
+
 GIVEN = {
+    CloseOnKnob: hand_at_knob,
+    DetectControl: knob,
+    DrawBackFrom: hand_at_button,
+    MakeFist: button,
+    PlanControl: knob,
+    PlanTurn: hand_at_knob,
+    PressIn: hand_at_button,
+    VerifyKnob: knob_that_is_on,
     ApproachHandle: hand_before_handle,
     AskForSwap: cup_in_hand,
     ChooseHandle: open_fridge,

@@ -23,6 +23,7 @@ from executive.cli.commands.choices import (
     YesOption,
     not_empty,
     options_of,
+    scene_given,
     whole_number_from,
 )
 from executive.cli.own_service import serve_meanwhile
@@ -46,7 +47,12 @@ def chat(
     ] = None,
     scene: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.toml", help="Where.", show_default=DEFAULT_SCENE, callback=not_empty),
+        typer.Option(
+            metavar="NAME|FILE.toml|FILE.xml",
+            help="Where.",
+            show_default=DEFAULT_SCENE,
+            callback=scene_given,
+        ),
     ] = None,
     seed: Annotated[
         int | None,

@@ -20,6 +20,7 @@ from executive.cli.commands.choices import (
     YesOption,
     not_empty,
     number_from,
+    scene_given,
     whole_number_from,
 )
 from executive.config import use_config
@@ -41,10 +42,10 @@ def check(
     scene: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME|FILE.toml",
+            metavar="NAME|FILE.toml|FILE.xml",
             help="Where.",
             show_default=f"{DEFAULT_SCENE}; for a trajectory the TOML file beside it",
-            callback=not_empty,
+            callback=scene_given,
         ),
     ] = None,
     seed: Annotated[

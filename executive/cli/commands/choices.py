@@ -123,6 +123,23 @@ class PerceptionChoice(StrEnum):
     RGBD = "rgbd"
 
 
+def scene_given(value: str | None) -> str | None:
+    """A scene that was named; one of somebody else's files is imported at once.
+
+    Raises:
+        typer.BadParameter: It is empty.
+        CannotImportError: Nothing can be made of the file.
+    """
+    named = not_empty(value)
+    if named is None or not named.lower().endswith(FOREIGN_SCENES):
+        return named
+    from executive.cli.foreign_scene import imported_scene
+
+    return imported_scene(named)
+
+
+FOREIGN_SCENES = (".xml", ".mjcf", ".urdf")
+
 PerceptionOption = Annotated[
     PerceptionChoice | None,
     typer.Option("--perception", help="How the robot sees.", show_default="what the scene says"),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.commands.choices import ModelOption, YesOption
+from executive.cli.commands.choices import ModelOption, YesOption, scene_given
 from executive.config import use_config
 from executive.errors import UserError
 from executive.exit_codes import ExitCode
@@ -24,6 +24,12 @@ _EXIT_CODES = {"tasks": ExitCode.DONE, "refused": ExitCode.INVALID, "question": 
 def parse(
     text: Annotated[str, typer.Argument(metavar="SENTENCE|-|FILE|SCRIPT.toml", help="What to understand.")],
     config: Annotated[Path | None, typer.Option(help="A TOML file with words of your own.")] = None,
+    scene: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE.toml|FILE.xml", help="Where it is said: what things there are called."
+        ),
+    ] = None,
     model: ModelOption = None,
     yes: YesOption = False,
 ) -> None:
@@ -31,10 +37,18 @@ def parse(
 
     Of a task script, for each statement.
     """
+    from executive.understanding.spoken_in import spoken_in
+
+    use_config(config)
+    with spoken_in(scene_given(scene)):
+        _tell(text, model, yes)
+
+
+def _tell(text: str, model: str | None, yes: bool) -> None:
+    """Write what is understood."""
     from executive.scripts.task_script import load_script
     from executive.understanding.understanding import understand
 
-    use_config(config)
     if text.endswith(".toml"):
         for statement in load_script(Path(text)).statements:
             typer.echo(json.dumps(statement.parsed.to_json()))

@@ -32,6 +32,7 @@ from executive.cli.commands.choices import (
     ViewPortOption,
     YesOption,
     not_empty,
+    scene_given,
     whole_number_from,
 )
 from executive.config import (
@@ -48,7 +49,7 @@ from executive.trust import THRESHOLD, Trust
 def serve(
     robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
     scene: Annotated[
-        str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
+        str, typer.Option(metavar="NAME|FILE.toml|FILE.xml", help="Where.", callback=scene_given)
     ] = DEFAULT_SCENE,
     perception: PerceptionOption = None,
     seed: Annotated[

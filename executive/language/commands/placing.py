@@ -9,7 +9,7 @@ from executive.language.phrases.arranging import Arranged, arranged, clause, tro
 from executive.language.phrases.handled_thing import BACK, BIN, count_of, thing
 from executive.language.phrases.lists import another_of
 from executive.language.phrases.parts import Parts, senses, words
-from executive.language.phrases.values import Clause, Draft, Nominal, Relative, Where, draft
+from executive.language.phrases.values import Clause, Draft, Item, Items, Nominal, Relative, Where, draft
 from executive.language.resolve.kinds import listed
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
@@ -75,6 +75,13 @@ def _put(parts: Parts) -> Clause:
             raise unfit()
         bundles.append((put.with_slot("stays", stays),))
     return clause(parts, bundles)
+
+
+def _put_it(parts: Parts) -> Clause:
+    """A thing that was named before: "take the milk and put in the basket"."""
+    *verb, where = parts
+    it = Nominal("any", reference="it", determined=True, said="it")
+    return _put((*verb, Items((Item(it, (where,)),))))
 
 
 def _discard(parts: Parts) -> Clause:
@@ -144,6 +151,7 @@ def _opened(parts: Parts) -> Clause:
 MEANINGS = meanings(
     {
         "put": _put,
+        "put_it": _put_it,
         "put_into": _move_thing,
         "move_thing": _move_thing,
         "drop": _drop,

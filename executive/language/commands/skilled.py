@@ -20,6 +20,7 @@ from executive.language.phrases.parts import Parts, words
 from executive.language.phrases.values import Bundle, Clause, Item, Items, Nominal, Relative, Where, draft
 from executive.language.resolve.kinds import task_type
 from executive.language.text.word import Word
+from robots.scenes.furniture_names import KNOB
 
 
 def _skilled(parts: Parts) -> Clause:
@@ -43,11 +44,21 @@ def _skilled(parts: Parts) -> Clause:
             if verb.word_class == "SKILL_TO" and to is None:
                 raise trouble("where to?", asks=True)
             person = of.is_person or (of.reference == "them" and "person" in known)
-            slots["person" if person else "to" if of.is_place and "person" not in known else "object"] = of
+            goes = of.is_place and "to" in known and "person" not in known
+            slots["person" if person else "to" if goes else "object"] = of
         slots |= {} if to is None else {"to": to}
         _check(verb, known, slots)
         bundles.append((draft(action, **slots),))
     return clause(parts, bundles)
+
+
+def _switched(parts: Parts) -> Clause:
+    """Turn something on or off, with the word behind it, or a knob; other things are turned in other ways."""
+    verb, items, *state = parts
+    if not state and any(item.of.kind != KNOB for item in items.each):
+        raise unfit()
+    meaning = "turn_knob off" if state and state[0].meaning == "off" else "turn_knob"
+    return _skilled((replace(verb, word_class="SKILL_AT", meaning=meaning), items))
 
 
 def _aimed(item: Item) -> tuple[Nominal, Nominal | None]:
@@ -98,6 +109,7 @@ def _listener(parts: Parts) -> Nominal | None:
 MEANINGS = meanings(
     {
         "skilled": _skilled,
+        "switched": _switched,
         "answer": _answer,
         "tell": _tell,
     }

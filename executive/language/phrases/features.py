@@ -31,7 +31,7 @@ _SLOTS = {
     "TRAIT": "traits",
 }
 _SIDES = {"left": "leftmost", "right": "rightmost"}
-_ENDS = frozenset({"leftmost", "rightmost", "middle", "top", "bottom"})
+_ENDS = frozenset({"leftmost", "rightmost", "middle", "top", "bottom", "front", "back"})
 """Ranks of a thing that is said to be at an end, or in the middle, of a row."""
 
 _FROM_SIDE = "from side"
@@ -81,7 +81,8 @@ def _on_side(parts: Parts) -> Feature | Trouble | None:
     if any(word.meaning in ("my", "our") for word in words(parts, "DET")):
         return Trouble("left and right are seen from the robot; which side is meant?", asks=True)
     rank = _SIDES.get(side.meaning, side.meaning)
-    return Feature("ordinal", rank) if rank in _ENDS else None
+    before = rank == "front" and not words(parts, "DET")  # "the person in front"
+    return Feature("ordinal", rank) if rank in _ENDS and not before else None
 
 
 def _from_side(parts: Parts) -> Feature:

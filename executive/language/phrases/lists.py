@@ -52,6 +52,21 @@ def _item(parts: Parts) -> Item | Trouble | None:
     return Item(of, details) if isinstance(of, Nominal) else of
 
 
+def _centre(parts: Parts) -> Nominal | None:
+    """The table's centre, as what stands there is told by: the table."""
+    (place,), (rank,) = words(parts, "FURNITURE"), words(parts, "ORDINAL")
+    return Nominal("furniture", place.meaning, determined=True) if rank.meaning == "middle" else None
+
+
+def _item_from_centre(parts: Parts) -> Item | Trouble | None:
+    """What is in the middle of a piece of furniture, among those that stand on it."""
+    nominal, _, place, *details = parts
+    told = _item((nominal, Feature("ordinal", "middle"), *details))
+    if not isinstance(told, Item):
+        return told
+    return replace(told, details=(Where("from", place, "on"), *told.details))
+
+
 def _items(parts: Parts) -> Items | Trouble | None:
     """A list; what stands after no more than a comma may say again what stands before it."""
     each = tuple(part for part in parts if isinstance(part, Item))
@@ -140,6 +155,8 @@ def spoken(nominal: Nominal) -> str:
 
 MEANINGS: Mapping[str, Meaning] = {
     "item": _item,
+    "item_from_centre": _item_from_centre,
+    "centre": _centre,
     "items": _items,
     "joined": _joined,
     "alternatives": _alternatives,

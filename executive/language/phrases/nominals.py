@@ -75,18 +75,28 @@ def _door_of(parts: Parts) -> Nominal | None:
 
 def _part_of(parts: Parts) -> Nominal | Trouble | None:
     """The top drawer of the desk: the drawer that is in it, and no other."""
-    *_, whole = words(parts, "FURNITURE", "CONTAINER")
     (part,) = words(parts, "DRAWER_OF", "SHELF_OF", "DOOR")
-    if part.meaning == whole.meaning or (part.word_class == "DOOR" and part.meaning != "door"):
+    of = parts[-1]
+    if not isinstance(of, Nominal):
+        (whole,) = words(parts, "CONTAINER")
+        of = Nominal("container", whole.meaning, determined=True, said=whole.said)
+    if part.meaning == of.kind or (part.word_class == "DOOR" and part.meaning != "door"):
         return None
-    of = Nominal(_SORTS[whole.word_class], whole.meaning, determined=True, said=whole.said)
     named = Nominal(_SORTS[part.word_class], part.meaning, determined=True, relation=Relative("in", of))
     return described(named, parts)
+
+
+def _whole(parts: Parts) -> Nominal | Trouble | None:
+    """What something is a part of: "the wooden cabinet"."""
+    told = described(_noun(parts[-1:]), parts)
+    return replace(told, determined=True) if isinstance(told, Nominal) else told
 
 
 def _one(nominal: Nominal, parts: Parts) -> Nominal | Trouble | None:
     if nominal.plural and nominal.said == nominal.kind:
         return None  # "the fish" is one, "two fish" are two
+    if nominal.sort in ("door", "room") and nominal.ordinal in ("front", "back"):
+        return None  # which door it is has a name of its own
     told = next((word.meaning for word in words(parts, "DET")), "")
     if nominal.ordinal in COUNTED_FROM and told == "a":
         return Trouble(f"one more, or the {nominal.ordinal} one?", nominal.ordinal, asks=True)
@@ -143,6 +153,7 @@ MEANINGS: Mapping[str, Meaning] = {
     "filled": _filled,
     "door_of": _door_of,
     "part_of": _part_of,
+    "whole": _whole,
     "one": of_noun(_one),
     "owned": of_noun(_owned),
     "simple": _simple,

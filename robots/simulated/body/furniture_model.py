@@ -13,6 +13,7 @@ from kinematics.model.robot_description import RobotDescription
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import Furniture, SceneDescription
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role
+from robots.simulated.body.control_model import control_joint, control_name
 from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
 
 DOOR_DAMPING = 0.2
@@ -118,6 +119,11 @@ class FurnitureForces:
         self.dof: dict[str, int] = {}
         self._seals: list[_Gasket] = []
         for piece in scene.furniture:
+            for control in piece.controls:
+                name = control_joint(piece, control)
+                found = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name))
+                self.qpos[control_name(piece, control)] = int(model.jnt_qposadr[found])
+                data.qpos[int(model.jnt_qposadr[found])] = control.at
             if piece.opens is None:
                 continue
             joint = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, part_joint(piece)))

@@ -14,6 +14,7 @@ from robots.interface.hardware import RobotData
 from robots.scenes import articulated, furniture
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.body_model import ROOT_JOINT, body, finger_links, pad_name, robot_spec
+from robots.simulated.body.control_model import control_name
 from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
 from robots.simulated.body.mesh_model import part_names
@@ -145,6 +146,11 @@ class Physics:
             for piece in scene.furniture
             if piece.opens is not None
             for solid in articulated.moving_solids(piece)
+        }
+        moving |= {
+            control_name(piece, control): Role.HANDLE
+            for piece in scene.furniture
+            for control in piece.controls
         }
         for i in range(model.ngeom):
             geom, owner = model.geom(i).name, model.body(model.geom_bodyid[i]).name

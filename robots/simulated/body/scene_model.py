@@ -22,6 +22,7 @@ from robots.simulated.body.body_model import (
     pad_name,
     set_role,
 )
+from robots.simulated.body.control_model import add_controls
 from robots.simulated.body.furniture_model import add_moving_part
 from robots.simulated.body.geom_roles import WORLD_GROUP, Role, in_simulator
 from robots.simulated.body.mesh_model import add_mesh_object, part_names
@@ -64,6 +65,7 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
             geom.friction = [piece.friction, 0.005, 0.0001]
         if piece.opens is not None:
             add_moving_part(spec, piece, description)
+        add_controls(spec, piece, description)
     for person in scene.people:
         add_person(spec, person)
     for item in scene.objects:

@@ -20,6 +20,7 @@ WORLD = 0
 _AROUND = 20
 _STORIES = 8
 _SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+_GLUED = re.compile(r"(?<=[a-z])(root|link|\d+)+$")
 _ENDINGS = re.compile(r"(_main|_object|_body|_root|_\d+|-\d+)+$")
 
 
@@ -82,6 +83,17 @@ class Foreign:
             and int(self.model.geom_type[k]) != int(mujoco.mjtGeom.mjGEOM_PLANE)
         ]
 
+    def planes(self, bodies: Iterable[int]) -> bool:
+        """Whether all that some bodies have is a plane without end."""
+        own = set(bodies)
+        plane = int(mujoco.mjtGeom.mjGEOM_PLANE)
+        kinds = [
+            int(self.model.geom_type[k])
+            for k in range(self.model.ngeom)
+            if int(self.model.geom_bodyid[k]) in own
+        ]
+        return bool(kinds) and all(kind == plane for kind in kinds)
+
     def solid_geoms(self, bodies: Sequence[int]) -> list[int]:
         """What some bodies collide by; where that is nothing, what is seen of them."""
         return self.geoms(bodies, colliding=True) or self.geoms(bodies, colliding=False)
@@ -123,9 +135,16 @@ def read_foreign(file: Path) -> Foreign:
     return Foreign(model, data, file, mends)
 
 
-def label_of_body(name: str) -> str:
-    """What people call a body: "alphabet_soup_1_main" is "alphabet soup"."""
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", _ENDINGS.sub("", name))
+def label_of_body(name: str, fixed: bool = False) -> str:
+    """What people call a body: "alphabet_soup_1_main" is "alphabet soup".
+
+    Args:
+        name: The body's.
+        fixed: It does not move: then "ovenroot" and "oven1" are "oven", where "beetroot" is no beet.
+    """
+    said = _ENDINGS.sub("", name)
+    said = (_GLUED.sub("", said) or said) if fixed else said
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", said)
     return " ".join(re.sub(r"[_\-./]+", " ", words).split()).lower() or name
 
 

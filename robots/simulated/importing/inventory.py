@@ -12,6 +12,9 @@ from robots.errors import CannotImportError
 from robots.simulated.importing.bodies import WORLD, Foreign, label_of_body
 from robots.simulated.importing.openings import Opening, opening_of
 
+_IN_FLOOR_M = 0.02
+"""Feet may reach so far into the floor."""
+
 
 @dataclass(frozen=True, slots=True)
 class FoundObject:
@@ -43,6 +46,7 @@ class FoundPiece(Sealed):
         low, high: Lowest and highest corner of those along its own axes, shape (3,), m.
         yaw_rad: How its own axes are turned in the world.
         openings: Its drawers, doors, lids, knobs and buttons.
+        is_nameless: Nothing in the file says what it is.
     """
 
     body: int
@@ -52,6 +56,7 @@ class FoundPiece(Sealed):
     high: Array
     yaw_rad: float
     openings: tuple[Opening, ...] = ()
+    is_nameless: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +67,14 @@ class Inventory:
         foreign: The model.
         objects, pieces: What is in it.
         left_out: Bodies that are neither, with the reason; nothing is dropped without one.
+        ground_m: Height of its floor in its own world.
     """
 
     foreign: Foreign
     objects: tuple[FoundObject, ...]
     pieces: tuple[FoundPiece, ...]
     left_out: tuple[tuple[str, str], ...]
+    ground_m: float = 0.0
 
 
 def inventory_of(foreign: Foreign) -> Inventory:
@@ -85,19 +92,57 @@ def inventory_of(foreign: Foreign) -> Inventory:
     for root in _roots(foreign):
         bodies = foreign.subtree(root)
         name = foreign.name(root)
-        if driven & set(bodies):
-            left_out.append((name, "has motors: it is a robot, or a part of one"))
-        elif not foreign.solid_geoms(bodies):
-            left_out.append((name, "has no solid"))
+        reason = _no_thing(foreign, bodies, driven)
+        if reason is not None:
+            left_out.append((name, reason))
         elif foreign.is_free(root):
             objects.append(_object(foreign, root, bodies))
         else:
             piece, odd = _piece(foreign, root, bodies)
             pieces.append(piece)
             left_out += odd
+    if seen := foreign.geoms([WORLD], colliding=False):
+        left_out.append(("the world", f"{_counted(len(seen), 'surface')} of it, which nothing touches"))
     if not objects and not pieces:
         raise CannotImportError(f"{foreign.file}: there is nothing in it: no object, no furniture")
-    return Inventory(foreign, tuple(objects), tuple(pieces), tuple(left_out))
+    return Inventory(foreign, tuple(objects), tuple(pieces), tuple(left_out), _ground_m(foreign, pieces))
+
+
+def _ground_m(foreign: Foreign, pieces: list[FoundPiece]) -> float:
+    """Where its floor is: the highest level plane that nothing is below; else what reaches down most."""
+    lowest = min((float(piece.low[2]) for piece in pieces), default=0.0)
+    plane = int(mujoco.mjtGeom.mjGEOM_PLANE)
+    levels = [
+        float(foreign.data.geom_xpos[k][2])
+        for k in range(foreign.model.ngeom)
+        if int(foreign.model.geom_type[k]) == plane and foreign.data.geom_xmat[k][8] > 0.99
+    ]
+    below = [level for level in levels if level <= lowest + _IN_FLOOR_M]
+    return max(below, default=min(lowest, 0.0))
+
+
+def _no_thing(foreign: Foreign, bodies: list[int], driven: set[int]) -> str | None:
+    """Why some bodies are neither an object nor furniture; None where they are.
+
+    A model without anything that touches, as a mesh for pictures alone, is taken by what is seen of it.
+    """
+    if driven & set(bodies):
+        return "has motors: it is a robot, or a part of one"
+    if foreign.planes(bodies):
+        return "is a floor, and the floor is flat here"
+    if not foreign.solid_geoms(bodies):
+        return "has no solid"
+    if any(int(foreign.model.body_mocapid[body]) >= 0 for body in bodies):
+        return "is moved by a program: a marker"
+    whole = range(foreign.model.nbody)
+    touches = foreign.geoms(bodies, colliding=True) or not foreign.geoms(whole, colliding=True)
+    if not touches and not foreign.is_free(bodies[0]):
+        return "is only seen, nothing touches it"
+    return None
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def _built_in(foreign: Foreign) -> list[FoundPiece]:
@@ -135,7 +180,7 @@ def _driven_joints(foreign: Foreign) -> set[int]:
 
 
 def _roots(foreign: Foreign) -> list[int]:
-    """Where each thing begins: below the world, below bodies that hold nothing but others, at free joints."""
+    """Where each thing begins: below the world, and below bodies that hold nothing but several things."""
     found: list[int] = []
 
     def split(body: int) -> None:
@@ -153,8 +198,13 @@ def _roots(foreign: Foreign) -> list[int]:
 
 
 def _apart(foreign: Foreign, bodies: list[int]) -> bool:
-    """Whether bodies are things of their own: one of them moves freely."""
-    return any(foreign.is_free(body) for body in bodies)
+    """Whether bodies are things of their own: one moves freely, or each of several holds what moves on it."""
+    if any(foreign.is_free(body) for body in bodies):
+        return True
+    if any(foreign.joints(body) for body in bodies):
+        return False
+    carriers = [body for body in bodies if any(foreign.joints(each) for each in foreign.subtree(body))]
+    return len(carriers) > 1
 
 
 def _object(foreign: Foreign, root: int, bodies: list[int]) -> FoundObject:
@@ -174,6 +224,9 @@ def _piece(foreign: Foreign, root: int, bodies: list[int]) -> tuple[FoundPiece, 
     fixed = [body for body in bodies if body not in carried]
     openings, odd = [], []
     for body in moving:
+        if foreign.geoms(bodies, colliding=True) and not foreign.geoms(foreign.subtree(body), colliding=True):
+            odd.append((foreign.name(body), "moves, but is only seen: nothing touches it"))
+            continue
         opening = opening_of(foreign, body)
         if opening is None:
             odd.append((foreign.name(body), "moves by several joints, or has no solid"))
@@ -184,9 +237,18 @@ def _piece(foreign: Foreign, root: int, bodies: list[int]) -> tuple[FoundPiece, 
     rotation = foreign.pose(root)[:3, :3]
     yaw = float(np.arctan2(rotation[1, 0], rotation[0, 0]))
     own = corners @ _level_turn(yaw)
-    label = label_of_body(_telling_name(foreign, root))
+    label = label_of_body(_telling_name(foreign, root), fixed=True)
     return (
-        FoundPiece(root, label, tuple(fixed), own.min(axis=0), own.max(axis=0), yaw, tuple(openings)),
+        FoundPiece(
+            root,
+            label,
+            tuple(fixed),
+            own.min(axis=0),
+            own.max(axis=0),
+            yaw,
+            tuple(openings),
+            is_nameless=not any(_says_something(foreign.name(body)) for body in bodies),
+        ),
         odd,
     )
 

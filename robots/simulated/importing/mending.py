@@ -38,6 +38,7 @@ def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
         raise CannotImportError(f"{file}: is neither MJCF (<mujoco>) nor URDF (<robot>), but <{root.tag}>")
     mends: list[str] = []
     if root.tag == "mujoco":
+        _include(root, file, file, ())
         for compiler in root.iter("compiler"):
             compiler.attrib.pop("coordinate", None)
         ElementTree.SubElement(
@@ -60,6 +61,30 @@ def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
                 raise CannotImportError(f"{file}: the simulator refuses it: {reason}") from refused
             mends.append(mend)
     raise CannotImportError(f"{file}: more than {_MOST_MENDS} things of it had to be mended")
+
+
+def _include(root: ElementTree.Element, of: Path, whole: Path, within: tuple[Path, ...]) -> None:
+    """Put what a file includes where it is included.
+
+    The file is looked for from where it is named, and else, as the simulator does, from the whole model's
+    file: what is written to be included anywhere names it in either way.
+    """
+    for parent in list(root.iter()):
+        for place, item in reversed([each for each in enumerate(parent) if each[1].tag == "include"]):
+            named = item.get("file", "")
+            found = [each for base in (of, whole) if (each := base.parent / named).is_file()]
+            if not named or not found:
+                raise CannotImportError(f"{of}: it includes {named!r}, and there is no such file")
+            if found[0].resolve() in within:
+                raise CannotImportError(f"{of}: it includes {named!r}, which includes itself")
+            try:
+                inner = ElementTree.parse(found[0]).getroot()
+            except ElementTree.ParseError as broken:
+                raise CannotImportError(f"{found[0]}: is no XML: {broken}") from broken
+            _include(inner, found[0], whole, (*within, found[0].resolve()))
+            parent.remove(item)
+            for child in reversed(list(inner)):
+                parent.insert(place, child)
 
 
 def _without_twins(root: ElementTree.Element) -> list[str]:

@@ -13,6 +13,8 @@ from robots.simulated.importing.bodies import Foreign
 
 _LEAST_SLIDE_M, _LEAST_TURN_RAD = 0.03, 0.3
 """What moves by less is a knob, a button or a spring."""
+_SMALL_M, _SMALL_SHARE = 0.16, 0.5
+"""What turns, is no larger, and is so much smaller than what it is on, is for fingers: a knob, a switch."""
 _PANEL_SHARE = 0.45
 """The front is the farthest solid that covers so much of the part as seen from where it opens to."""
 _PROTRUDES_M = 0.008
@@ -87,13 +89,14 @@ def opening_of(foreign: Foreign, body: int) -> Opening | None:
     slides = foreign.joint_type(joint) == int(mujoco.mjtJoint.mjJNT_SLIDE)
     if slides:
         outwards, kind = sign * axis, "drawer" if reach >= _LEAST_SLIDE_M else "button"
-        if kind == "drawer" and (normal := _front_beside(every, outwards)) is not None:
+        if kind == "drawer" and (normal := _front_beside(_panel(clouds), outwards)) is not None:
             kind, front = "sliding door", normal
     else:
         arm = middle - anchor
         arm -= axis * (axis @ arm)
         extent = float(np.linalg.norm(np.ptp(every, axis=0)))
-        if np.linalg.norm(arm) < 0.15 * extent or reach < _LEAST_TURN_RAD:
+        small = _is_small(foreign, body, every)
+        if np.linalg.norm(arm) < 0.15 * extent or reach < _LEAST_TURN_RAD or small:
             outwards, kind = axis, "knob"
         else:
             outwards = sign * np.cross(axis, arm)
@@ -102,18 +105,38 @@ def opening_of(foreign: Foreign, body: int) -> Opening | None:
     handle = None
     if kind in ("drawer", "door", "lid", "sliding door"):
         ways = [outwards] if front is None else [front, -front]
-        handle = next((one for way in ways if (one := _handle(clouds, way)) is not None), None)
+        # a door's handle may be a part that turns on it
+        hanging = [foreign.corners(geom) for geom in foreign.solid_geoms(foreign.subtree(body)[1:])]
+        solids = [clouds, [*clouds, *hanging]] if hanging else [clouds]
+        found = (_handle(these, way) for these in solids for way in ways)
+        handle = next((one for one in found if one is not None), None)
     return Opening(body, kind, outwards, low, high, reach, axis, anchor, handle)  # type: ignore[arg-type]
+
+
+def _is_small(foreign: Foreign, body: int, corners: Array) -> bool:
+    """Whether a part is for fingers, beside what it is on."""
+    largest = float(np.ptp(corners, axis=0).max())
+    root = int(foreign.model.body_rootid[body])
+    carrier = foreign.solid_geoms([each for each in foreign.subtree(root) if not foreign.joints(each)])
+    if not carrier or largest > _SMALL_M:
+        return False
+    size = np.ptp(np.concatenate([foreign.corners(geom) for geom in carrier]), axis=0).max()
+    return largest <= _SMALL_SHARE * float(size)
 
 
 def _panel_normal(clouds: list[Array], outwards: Array) -> Array:
     """The normal of a door's panel, its largest solid, on the side to which it opens."""
-    panel = max(clouds, key=lambda cloud: float(np.prod(np.sort(np.ptp(cloud, axis=0))[1:])))
+    panel = _panel(clouds)
     _, thickness, directions = np.linalg.svd(panel - panel.mean(axis=0), full_matrices=False)
     normal = directions[2]
     if thickness[2] > 0.5 * thickness[1] or abs(normal @ outwards) < 0.7:
         return outwards
     return np.asarray(normal * np.sign(normal @ outwards))
+
+
+def _panel(clouds: list[Array]) -> Array:
+    """The solid with the largest face."""
+    return max(clouds, key=lambda cloud: float(np.prod(np.sort(np.ptp(cloud, axis=0))[1:])))
 
 
 def _front_beside(corners: Array, outwards: Array) -> Array | None:
@@ -148,7 +171,8 @@ def _handle(clouds: list[Array], outwards: Array) -> Handle | None:
     out = [cloud for cloud in clouds if (cloud @ outwards).max() > front + _PROTRUDES_M]
     if not out:
         return None
-    # the bar is what is farthest out; its posts come from the front
+    # the bar is what is farthest out, and clear of the front; its posts come from there
+    out = [cloud for cloud in out if (cloud @ outwards).min() > front] or out
     farthest = max(float((cloud @ outwards).max()) for cloud in out)
     bar = np.concatenate([cloud for cloud in out if (cloud @ outwards).max() > farthest - _PROTRUDES_M])
     middle = 0.5 * (bar.min(axis=0) + bar.max(axis=0))

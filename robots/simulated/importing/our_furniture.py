@@ -10,7 +10,9 @@ import numpy as np
 
 from kinematics.arrays import Array
 from robots.scenes.articulated import DRAWER_FRONT_HEIGHT_M, GAP_M, WALL_M
+from robots.scenes.fixture import CONTROL_KINDS
 from robots.scenes.furniture_names import kind_that_name_contradicts
+from robots.simulated.importing.as_fixture import fixture_values
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
 from robots.simulated.importing.openings import Opening
@@ -18,6 +20,7 @@ from robots.simulated.importing.openings import Opening
 _ON_FLOOR_M = 0.08
 _TABLE_M, _LOWEST_TOP_M, _HIGHEST_TOP_M = 0.3, 0.3, 1.3
 """A table is as deep and as wide, and its top is between these heights."""
+_BOARD_M = 0.12
 _WALL_THICK_M, _WALL_HIGH_M = 0.3, 1.2
 _LEAST = {"drawers": (0.3, 0.25, 0.28), "fridge": (0.3, 0.3, 0.5)}
 _BAR_RADIUS_M, _BAR_LENGTH_M = (0.004, 0.016), 0.08
@@ -39,8 +42,23 @@ class OurPiece:
     told: tuple[str, ...] = ()
 
 
-def our_piece(foreign: Foreign, piece: FoundPiece) -> OurPiece | str:
-    """What it is here; in words why it is nothing, where that is so."""
+def our_piece(foreign: Foreign, piece: FoundPiece, ground_m: float = 0.0) -> OurPiece:
+    """What it is here: furniture of a usual kind where it is like that, a fixture else.
+
+    Args:
+        foreign: The model.
+        piece: The piece.
+        ground_m: Height of its floor.
+    """
+    found = "its floor is elsewhere" if ground_m else _usual(foreign, piece)
+    if isinstance(found, OurPiece) and not any(one.kind in CONTROL_KINDS for one in piece.openings):
+        return found
+    values, told = fixture_values(foreign, piece, ground_m)
+    return OurPiece(values, float(piece.high[2]) - ground_m, tuple(told))
+
+
+def _usual(foreign: Foreign, piece: FoundPiece) -> OurPiece | str:
+    """Which of the usual kinds it is; in words why it is none of them."""
     drawers = [one for one in piece.openings if one.kind == "drawer"]
     doors = [one for one in piece.openings if one.kind == "door"]
     stands = float(piece.low[2]) <= _ON_FLOOR_M
@@ -53,6 +71,9 @@ def our_piece(foreign: Foreign, piece: FoundPiece) -> OurPiece | str:
 
 def _plain(piece: FoundPiece) -> OurPiece | str:
     size, top = piece.high - piece.low, float(piece.high[2])
+    floats = float(piece.low[2]) > _ON_FLOOR_M and not _is_board(piece)
+    if floats:
+        return f"stands at {float(piece.low[2]):.2f} m"
     told = tuple(f"its {one.kind} {_what(one)} does not move here" for one in piece.openings)
     seen = f"{size[0]:.2f} x {size[1]:.2f} m with its top at {top:.2f} m"
     if min(size[:2]) <= _WALL_THICK_M and top - float(piece.low[2]) >= _WALL_HIGH_M:
@@ -62,6 +83,12 @@ def _plain(piece: FoundPiece) -> OurPiece | str:
     kind = next((word for word in _TOPS if word in piece.label.split()), "table")
     told_kind = kind_that_name_contradicts(piece.label, kind)
     return OurPiece(_said(told_kind if told_kind in _TOPS else kind, piece, size, top), top, told)
+
+
+def _is_board(piece: FoundPiece) -> bool:
+    """Whether it is a top alone, as of a table whose legs nothing touches."""
+    size = piece.high - piece.low
+    return bool(size[2] <= _BOARD_M and min(size[:2]) >= _TABLE_M)
 
 
 def _what(opening: Opening) -> str:

@@ -16,8 +16,10 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture
+from robots.scenes.fixture import control_solid
 from robots.scenes.person_solid import person_solid
 from robots.scenes.scene_description import Person, SceneItem, told_names
+from robots.simulated.body.control_model import control_body, control_name
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP, in_simulator
 from robots.simulated.body.physics import Physics
@@ -63,6 +65,22 @@ class SimulatorTruth:
             for solid in articulated.moving_solids(piece)
             if solid.kind
         )
+        self._parts += tuple(
+            (
+                TrueObject(
+                    control_name(piece, control),
+                    "furniture",
+                    control.kind,
+                    None,
+                    control_solid(control).shape,
+                    np.eye(4),
+                    names=(f"{piece.name} {control.name}",),
+                ),
+                physics.body_id(control_body(piece, control)),
+            )
+            for piece in physics.scene.furniture
+            for control in piece.controls
+        )
         self._camera_body = physics.body_id(physics.description.camera.frame)
         self._tcp_body = {
             hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
@@ -104,7 +122,7 @@ class SimulatorTruth:
         )
 
     def opening(self, furniture_name: str) -> float:
-        """How far a door, rad, or a drawer, m, is open.
+        """How far a door, rad, or a drawer, m, is open; of "stove/knob" how far it is turned, or pressed.
 
         Raises:
             KeyError: The scene has no such furniture, or it does not open.

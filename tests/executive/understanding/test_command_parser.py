@@ -118,7 +118,6 @@ NO_SKILL = [
     ("watch me", "following"),
     ("clean the table", "housework"),
     ("jump", "whole body"),
-    ("press the button", "hands"),
     ("tell me a joke", "conversation"),
 ]
 

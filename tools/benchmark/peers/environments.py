@@ -23,8 +23,8 @@ ROS_NAMES = ("ros_jazzy", "ros_kilted")
 """Peers of the ROS door, for tests alone: rclpy of two distributions."""
 MODEL_NAMES = ("smollm2",)
 """A small language model that travels in a package, with what serves it; for tests alone."""
-ASSET_NAMES = ("libero",)
-"""Objects and furniture of a benchmark for manipulation, to be imported; for tests alone."""
+ASSET_NAMES = ("libero", "foreign_scenes")
+"""Objects and furniture of a benchmark; whole scenes of several, with what builds them. For tests alone."""
 
 
 def default_cache() -> Path:

@@ -9,6 +9,7 @@ from tools.evaluate.gpsr import exam
 from tools.evaluate.people import following, greeting, guiding
 from tools.evaluate.skills import (
     carrying,
+    controls,
     errands,
     gestures,
     goals,
@@ -36,6 +37,8 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "put_in": putting_in.PUT_IN,
         "put_in_drawer": putting_in_drawer.PUT_IN_DRAWER,
         "put_in_fridge": putting_in_fridge.PUT_IN_FRIDGE,
+        "turn_knob": controls.TURN_KNOB,
+        "press": controls.PRESS,
         "hand_over": handing_over.HAND_OVER,
         "find": telling.FIND,
         "count": telling.COUNT,

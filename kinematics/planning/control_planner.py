@@ -1,0 +1,220 @@
+"""Plan to turn a knob, or to come to a button that is pressed.
+
+A knob has a bar that pads take on both sides; the hand comes along the knob's axis and turns about it. To a
+button the closed hand comes with what of it is foremost. Few ways come into question: the hand either way up,
+and each hand.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.geometry import poses
+from kinematics.geometry.poses import Transform
+from kinematics.geometry.shapes import Box
+from kinematics.ik.gaze import gaze_joints
+from kinematics.ik.result import IkTolerance
+from kinematics.ik.solver import along_line
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.motion.curves import Curve, PolynomialCurve
+from kinematics.motion.lead_in import lead_in
+from kinematics.planning.grasps import key_of
+from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
+from kinematics.planning.pushing import hand_points
+from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
+from kinematics.requests.grasp import Grasp
+from kinematics.requests.step import NoPlan, WhyNoPlan
+from kinematics.scene.concessions import ConcessionReason, touching
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.standing.reserves import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
+from kinematics.timing.curve_timing import Pace
+
+_APPROACH_M = 0.08
+_FINGER_ROOMS_M = (("", 0.012), (" less deep", 0.020), (" at its end", 0.028))
+"""Between closed fingertips and what a knob is on, in words and m: that is misjudged by millimetres too."""
+_FOREMOST_M = 0.003
+_TURN_POINTS = 5
+_TURN_PACE = Pace(velocity=0.25, acceleration=0.5)
+_ROLLS = (0.0, math.pi)
+_SHARES = (1.0, 0.85, 0.7)
+"""Of a turn, where the hand holds the knob otherwise than was thought: what has switched is seen."""
+_TOLERANCE = IkTolerance(com_margin_m=0.05)
+
+
+class ControlPlanner:
+    """Answers control requests for one robot."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self._model = model
+
+    def plan(self, request: ControlRequest) -> ControlPlan | NoPlan:
+        """The first way that goes, or honestly why there is none."""
+        task = _ControlTask(self._model, request)
+        for grasp in task.grasps():
+            if (plan := task.planned(grasp)) is not None:
+                return plan
+        told = f"no way for a hand to the {request.control} from here was found"
+        numbers = {"ways_considered": float(task.considered)}
+        return NoPlan(told, dict(task.reasons), numbers, WhyNoPlan.NO_GRASP)
+
+    def plan_turn(self, request: TurnRequest) -> TurnPlan | NoPlan:
+        """The turn of a knob that a hand holds, or honestly why there is none."""
+        asked = ControlRequest(request.q_start, request.stance, request.scene, request.control)
+        return _ControlTask(self._model, asked).turn_plan(request.hand, request.turn_rad)
+
+
+class _ControlTask(PlanningTask):
+    """One knob or button to come to: its candidates are poses of the hand."""
+
+    def __init__(self, model: RobotModel, request: ControlRequest) -> None:
+        super().__init__(model, request, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M, start_reserve_m=0.0)
+        self.request = request
+
+    def grasps(self) -> Iterator[Grasp]:
+        """Candidates, the most promising first."""
+        request = self.request
+        control = request.scene.objects[request.control]
+        for hand in request.hands:
+            rooms = _FINGER_ROOMS_M if request.turn_rad is not None else _FINGER_ROOMS_M[:1]
+            for (deep, room_m), roll in itertools.product(rooms, _ROLLS):
+                label = f"roll {math.degrees(roll):.0f}{deep}"
+                if key_of(hand, label) in request.excluded:
+                    continue
+                pose = self._at(control, hand, roll, room_m)
+                thick = control.shape.size_m[2] if isinstance(control.shape, Box) else 0.02
+                yield Grasp(hand, label, pose, _APPROACH_M, thick)
+
+    def _at(self, control: SceneObject, hand: Hand, roll: float, room_m: float) -> Transform:
+        """Pose of the TCP, shape (4, 4): its x inwards, and about a knob its y across the bar."""
+        pose = control.world_T_object
+        long = control.shape.size_m[0] if isinstance(control.shape, Box) else 0.0
+        if self.request.turn_rad is not None:
+            rotation = pose[:3, :3] @ poses.rotation_x(0.5 * math.pi + roll)
+            points = hand_points(self._model, hand, self.request.q_start)
+            advance_m = self._model.description.grippers[hand].closing_advance_m
+            stands_off_m = float(points[:, 0].max()) + advance_m + room_m
+            return poses.transform(rotation, pose[:3, 3] + (0.5 * long - stands_off_m) * pose[:3, 0])
+        yaw = poses.yaw_of(pose[:3, :3])
+        rotation = poses.rotation_z(yaw) @ poses.rotation_x(0.5 * math.pi + roll)
+        points = hand_points(self._model, hand, self.request.q_start)
+        ahead = float(points[:, 0].max())
+        tip = points[points[:, 0] > ahead - _FOREMOST_M].mean(axis=0)
+        tip[0] = ahead + self.request.short_m
+        face = pose[:3, 3] - 0.5 * long * pose[:3, 0]
+        return poses.transform(rotation, face - rotation @ tip)
+
+    def planned(self, grasp: Grasp) -> ControlPlan | None:
+        """The whole plan for one way, or None with the reason counted."""
+        self.considered += 1
+        plan = self._plan(grasp)
+        if isinstance(plan, str):
+            self.reasons[plan] += 1
+            return None
+        return plan
+
+    def _plan(self, grasp: Grasp) -> ControlPlan | str:
+        request, ik = self.request, self.ik_of(grasp.hand)
+        found = ik.solve(grasp.world_T_tcp, request.q_start)
+        if not found.within(_TOLERANCE):
+            return "no inverse kinematics there"
+        touched = self._touching(grasp.hand)
+        near = self.planner_in(touched)
+        blocked = near.judge.not_free(self.space.from_q(found.q))
+        if blocked is not None:
+            return "collision there" if blocked.pair is not None else str(blocked)
+        before = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        back = along_line(ik, found.q, grasp.world_T_tcp, before, CARTESIAN_POINTS)
+        if back is None:
+            return "no straight approach"
+        gaze = gaze_joints(self._model, back[-1], grasp.world_T_tcp[:3, 3])
+        approach = PolynomialCurve(self.looking(self.rows(back[::-1]), gaze))
+        x_before, x_there = approach(np.array([0.0, 1.0]))
+        if not self.planner.is_free(x_before) or not near.curve_is_free(approach):
+            return "approach collides"
+        links = self._model.description.grippers[grasp.hand].touch_links
+        in_hand = touching(links, (request.control,), ConcessionReason.HANDLE_IN_HAND, "approach")
+        if request.turn_rad is not None:
+            q_there = self.space.to_q(x_there[None, :])[0][0]
+            ways = (self.turned(grasp.hand, q_there, share * request.turn_rad) for share in _SHARES)
+            reasons = [way for way in ways if isinstance(way, str)]
+            if len(reasons) == len(_SHARES):
+                return reasons[-1]
+        arms = self._model.description.arms
+        reach = self.path(x_before, arms, np.random.default_rng(request.seed))
+        if reach is None:
+            return "no path to it"
+        first = self.first_step("reach", reach, REACH_PACE)
+        second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
+        if first is None or second is None:
+            return "legs cannot follow"
+        return ControlPlan(grasp, first, second, self.considered)
+
+    def turned(
+        self, hand: Hand, q: Array, turn_rad: float, scene: PlanningScene | None = None
+    ) -> tuple[Curve, Curve] | str:
+        """The turn of a hand about its own x from a configuration, and the way straight back."""
+        ik, frame = self.ik_of(hand), self._model.description.grippers[hand].tcp_frame
+        start = self._model.frame_pose(q, frame)
+        configurations, target = [q], start
+        for k in range(1, _TURN_POINTS):
+            share = k / (_TURN_POINTS - 1)
+            target = start @ poses.transform(poses.rotation_x(share * turn_rad), (0.0, 0.0, 0.0))
+            found = ik.solve(target, configurations[-1], q_preferred=configurations[-1])
+            if not found.within(_TOLERANCE):
+                return "the wrist does not turn so far"
+            configurations.append(found.q)
+        near = self.planner_in(self._touching(hand, scene))
+        curve = PolynomialCurve(self._with_gaze(configurations, q))
+        if not near.curve_is_free(curve):
+            return "turning collides"
+        before = target @ poses.translation(-_APPROACH_M, 0.0, 0.0)
+        line = along_line(ik, configurations[-1], target, before, CARTESIAN_POINTS)
+        if line is None:
+            return "no straight way back"
+        away = PolynomialCurve(self._with_gaze(list(line), q))
+        return (curve, away) if near.curve_is_free(away) else "the way back collides"
+
+    def turn_plan(self, hand: Hand, turn_rad: float) -> TurnPlan | NoPlan:
+        """The turn from where the hand is, with the knob in it."""
+        control = self.request.control
+        q = self.request.q_start
+        turned: tuple[Curve, Curve] | str = ""
+        for share in _SHARES:
+            turned = self.turned(hand, q, share * turn_rad, self.scene)
+            if not isinstance(turned, str):
+                break
+            self.reasons[turned] += 1
+        if isinstance(turned, str):
+            return NoPlan(f"the {control} cannot be turned from here", dict(self.reasons))
+        links = self._model.description.grippers[hand].touch_links
+        steps = []
+        for name, curve, pace in zip(("turn", "back"), turned, (_TURN_PACE, CARTESIAN_PACE), strict=True):
+            in_hand = touching(links, (control,), ConcessionReason.HANDLE_IN_HAND, name)
+            step = self.step(name, curve, pace, (*self.start_concessions(name), *in_hand))
+            if step is None:
+                return NoPlan(f"the {control} cannot be turned from here", {"legs cannot follow": 1})
+            steps.append(step)
+        led = lead_in(steps[0].trajectory, q, self._model.acceleration)
+        return TurnPlan(dataclasses.replace(steps[0], trajectory=led), steps[1])
+
+    def _with_gaze(self, configurations: list[Array], q: Array) -> Array:
+        """Rows of free coordinates in which the head stays where it is at ``q``."""
+        rows = self.rows(configurations)
+        head = self.space.from_q(q)
+        for joint in self._model.description.camera.neck or ():
+            column = self.space.index(joint)
+            rows[:, column] = head[column]
+        return rows
+
+    def _touching(self, hand: Hand, scene: PlanningScene | None = None) -> PlanningScene:
+        """A scene, the request's when left out, in which this hand may touch the control."""
+        links = self._model.description.grippers[hand].touch_links
+        around = self.request.scene if scene is None else scene
+        return around.allowing((link, self.request.control) for link in links)
