@@ -11,7 +11,7 @@ from executive.session.session import Session
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 
 
 class Requests:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 
 
 @contextmanager

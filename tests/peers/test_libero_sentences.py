@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from executive.understanding.understanding import understand
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 from robots.simulated.importing.bodies import label_of_body
 from tools.benchmark.peers.environments import PeerEnvironment, default_cache
 

@@ -8,7 +8,7 @@ import pytest
 
 from executive.session.task_result import TaskResult
 from executive.understanding.command_parser import parse
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 from kinematics.geometry import poses
 from robots.scenes.scene_description import spoken_words
 from tools.evaluate.gpsr.arena import carrier_of

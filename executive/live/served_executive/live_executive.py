@@ -47,7 +47,7 @@ from executive.understanding.canonical_words import canonical_kind
 from executive.understanding.command_parser import parse
 from executive.understanding.conversation import Conversation
 from executive.understanding.statement import Statement
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 from kinematics.model.robot_model import RobotModel
 from robots.clock import local_time
 from robots.live.documents.camera_message import cameras_of

@@ -3,7 +3,7 @@
 import pytest
 
 from executive.understanding.command_parser import parse
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 from trees.tasks import ObjectDescription
 
 PLACE = ("zorblax", "macaroni and cheese", "groceries", "Tomato-Soup", "cup")

@@ -15,7 +15,7 @@ from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain
 from executive.trust import OnQuestion
-from executive.vocabulary.place_words import words_of_the_place
+from executive.vocabulary.in_a_place import words_of_the_place
 from robots.scenes.scene_description import names_of_people, spoken_words
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder

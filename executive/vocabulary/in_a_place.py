@@ -1,0 +1,34 @@
+"""Lets what is said be understood by what the things and the people of a place are called."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+
+from executive.vocabulary.place_words import WORDS, PlaceWords
+from executive.vocabulary.written import split_words
+
+_LONGEST = 8
+"""Words of a name; a longer one is nothing that somebody says."""
+
+
+@contextmanager
+def words_of_the_place(labels: Iterable[str] | None, people: Iterable[str] = ()) -> Iterator[None]:
+    """Let what is said within be understood by some words for things, and some names, too.
+
+    Args:
+        labels: Kinds, names and sorts, in any case; None: those that are known anyhow.
+        people: What people are called.
+    """
+    known = WORDS.get()
+    things = known.things
+    if labels is not None:
+        words = {" ".join(label.casefold().replace("-", " ").split()) for label in labels}
+        things = tuple(sorted(word for word in words if 0 < len(word.split()) <= _LONGEST))
+    names = {" ".join(name.split()) for name in people}
+    said = tuple(sorted(name for name in names if 0 < len(list(split_words(name))) <= _LONGEST))
+    token = WORDS.set(PlaceWords(things, said))
+    try:
+        yield
+    finally:
+        WORDS.reset(token)
