@@ -1,0 +1,36 @@
+"""What was guessed about a robot, line by line, for a person to look through."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """One value that the URDF does not tell.
+
+    Attributes:
+        key: Where it stands in ``description.toml``.
+        value: As it stands there, or what it comes to.
+        why: What it was made from.
+    """
+
+    key: str
+    value: str
+    why: str
+
+
+class Guesses:
+    """All of one robot."""
+
+    def __init__(self) -> None:
+        self.all: list[Guess] = []
+
+    def add(self, key: str, value: str, why: str) -> None:
+        """Note one; of the same key the last one counts."""
+        self.all = [one for one in self.all if one.key != key]
+        self.all.append(Guess(key, value, why))
+
+    def text(self) -> str:
+        """One line a guess."""
+        return "".join(f"{one.key} = {one.value}\n    {one.why}\n" for one in self.all)
