@@ -24,8 +24,8 @@ from kinematics.model.robot_description import (
 from robots.errors import DescriptionError, UnknownRobotError, UnknownRobotFolderError
 from robots.interface.hardware import RobotData
 from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
-from robots.models.hardware_tables import hardware_of
 from robots.models.fitted_urdf import bound_joints, forget_capsules, with_joints_held, without_world
+from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
 from robots.models.urdf import (
     add_collision_box,

@@ -15,7 +15,10 @@ def main() -> int:
     for name, module in (("new", new), ("reach", reach)):
         summary, _, rest = (module.__doc__ or "").partition("\n")
         command = commands.add_parser(
-            name, help=summary, description=summary + rest, formatter_class=argparse.RawDescriptionHelpFormatter
+            name,
+            help=summary,
+            description=summary + rest,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_arguments(command)
         command.set_defaults(run=module.run)

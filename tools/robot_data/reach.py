@@ -45,6 +45,8 @@ from robots.scenes.scene_description import SceneDescription
 from robots.simulated.world import build_world
 
 _ARRIVED_M = 0.02
+_SAFE_SHARE, _WIDE_M = 0.6, 0.08
+"""Of the CoM's margin at home, up to so much: a robot that stands keeps this share of it."""
 _SETTLE_S = 1.0
 _LONGEST_S = 60.0
 _DRAWN = 400
@@ -91,18 +93,21 @@ def reach(robot: RobotData, hand: Hand, point_m: Array | None, seed: int) -> Rea
         return Reach(False, "home", f"the home posture is not free: {why}")
     rng = np.random.default_rng(seed)
     solver = inverse_kinematics(standing, hand)
+    pace = Pace(0.5, 0.5) if robot.description.welded else Pace(0.2, 0.2)
+    margin_m = standing.polygon.com_margin_m(model.com(model.q_home)[:2])
+    tolerance = IkTolerance(com_margin_m=_SAFE_SHARE * min(margin_m, _WIDE_M))
     moving = [space.index(joint) for joint in _moving(model, hand)]
     failed = Reach(False, "inverse kinematics", "the hand gets to the point in no posture that is free")
     for target in _targets(model, hand, point_m, rng):
-        found = solver.solve(target, model.q_home)
+        found = solver.solve(target, model.q_home, tolerance)
         goal = space.from_q(found.q)
-        if not found.within(IkTolerance(com_margin_m=robot.description.com_margin_m)) or not planner.is_free(goal):
+        if not found.within(tolerance) or not planner.is_free(goal):
             continue
         curve = planner.plan(start, goal, moving, rng)
         if curve is None:
             failed = Reach(False, "path", "no path was found between home and the point")
             continue
-        verdict = TrajectoryChecker(model).check(time_curve(standing, curve, Pace(0.5, 0.5)), PlanningScene())
+        verdict = TrajectoryChecker(model).check(time_curve(standing, curve, pace), PlanningScene())
         if isinstance(verdict, Unsafe):
             failed = Reach(False, "check", str(verdict))
             continue
@@ -115,7 +120,9 @@ def _moving(model: RobotModel, hand: Hand) -> tuple[str, ...]:
     return (*groups["torso"], *groups[f"{hand}_arm"])
 
 
-def _targets(model: RobotModel, hand: Hand, point_m: Array | None, rng: np.random.Generator) -> Iterator[Transform]:
+def _targets(
+    model: RobotModel, hand: Hand, point_m: Array | None, rng: np.random.Generator
+) -> Iterator[Transform]:
     """Poses of the TCP that random postures of the arm have, the nearest to the point first, moved onto it."""
     frame = model.description.tcp_frames[hand]
     home = model.frame_pose(model.q_home, frame)[:3, 3]
@@ -136,7 +143,9 @@ def _targets(model: RobotModel, hand: Hand, point_m: Array | None, rng: np.rando
         yield target
 
 
-def _carry_out(robot: RobotData, model: RobotModel, hand: Hand, motion: CheckedTrajectory, seed: int) -> Reach:
+def _carry_out(
+    robot: RobotData, model: RobotModel, hand: Hand, motion: CheckedTrajectory, seed: int
+) -> Reach:
     world = build_world(robot, SceneDescription("empty"), np.random.default_rng(seed), drawn=False)
     loop = ControlLoop(world.robot, model, ManualClock(), lambda _event: None, PERIOD_S)
     for _ in range(round(_SETTLE_S / PERIOD_S)):
@@ -155,7 +164,9 @@ def _carry_out(robot: RobotData, model: RobotModel, hand: Hand, motion: CheckedT
     there = truth.world_T_tcp(hand)
     away = float(np.linalg.norm(there[:3, 3] - (truth.world_T_odom() @ wanted)[:3, 3]))
     point = ", ".join(f"{value:.2f}" for value in wanted[:3, 3])
-    told = f"the {hand} hand is {1000 * away:.1f} mm from ({point}) m, after {motion.trajectory.t_s[-1]:.1f} s"
+    told = (
+        f"the {hand} hand is {1000 * away:.1f} mm from ({point}) m, after {motion.trajectory.t_s[-1]:.1f} s"
+    )
     if truth.fallen():
         return Reach(False, "arrival", "the robot fell")
     return Reach(away < _ARRIVED_M, "arrival", told)
@@ -165,7 +176,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
     parser.add_argument("robot", help="a robot's name, or the path of its folder")
     parser.add_argument("--hand", choices=("left", "right"), help="the right one, or the only one")
-    parser.add_argument("--point", type=float, nargs=3, metavar=("X", "Y", "Z"), help="m; drawn when left out")
+    parser.add_argument(
+        "--point", type=float, nargs=3, metavar=("X", "Y", "Z"), help="m; drawn when left out"
+    )
     parser.add_argument("--seed", type=int, default=0)
 
 

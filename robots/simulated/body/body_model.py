@@ -20,6 +20,7 @@ from robots.simulated.body.geom_roles import (
     UNSEEN_GROUP,
     Role,
 )
+from robots.simulated.body.mended_masses import mend_masses
 
 ROOT_JOINT = "root"
 GRIPPER_DAMPING = 0.02
@@ -70,6 +71,7 @@ def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
     )
     urdf.insert(0, options)
     _draw_by_hulls(urdf)
+    mend_masses(urdf)
     spec = mujoco.MjSpec.from_string(ElementTree.tostring(urdf, encoding="unicode"))
     _read_hulls(spec)
     if not description.welded:

@@ -268,7 +268,9 @@ class SimulatorTruth:
         return np.concatenate(corners) if corners else np.zeros((0, 2))
 
     def fallen(self) -> bool:
-        """Tell whether the robot lies or is falling: base low or tilted far."""
+        """Tell whether the robot lies or is falling: base low or tilted far. A welded one cannot fall."""
+        if self._physics.description.welded:
+            return False
         world_T_base = self.world_T_base()
         low = world_T_base[2, 3] < FALLEN_HEIGHT * self._start_height_m
         return bool(low or world_T_base[2, 2] < math.cos(FALLEN_TILT_RAD))

@@ -13,6 +13,7 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
+from kinematics.geometry import poses
 from robots.models.fitted_urdf import bound_joints, forget_capsules, without_world
 from robots.models.urdf import link_names, moving_joints, read_urdf
 
@@ -20,7 +21,7 @@ WITHOUT_END = (-math.pi, math.pi)
 """What a joint that turns without end is given as limits, rad."""
 _ROOM = 0.02
 """What a posture keeps from a joint's limits, rad or m."""
-_MOST_POINTS = 400
+_MOST_POINTS = 5000
 """Corners of a solid that are looked at."""
 
 
@@ -50,7 +51,12 @@ class Joint:
 
     @property
     def zero(self) -> float:
-        """Position nearest to zero, a little inside the limits."""
+        """Position nearest to zero."""
+        return min(max(0.0, self.lower), self.upper)
+
+    @property
+    def rest(self) -> float:
+        """The same, a little inside the limits."""
         room = min(_ROOM, 0.25 * (self.upper - self.lower))
         return min(max(0.0, self.lower + room), self.upper - room)
 
@@ -58,7 +64,8 @@ class Joint:
 class Anatomy:
     """The joints of a robot, what they carry, and where all of it is with the joints at zero.
 
-    Places are those of the URDF's root link.
+    Places are those of a level frame at the URDF's root link, z up and x ahead: the link's own, unless ``turn``
+    is set to another.
 
     Attributes:
         urdf: The document, mesh paths absolute.
@@ -90,6 +97,7 @@ class Anatomy:
         self.data = self.model.createData()
         self.q = np.array([self.joints[name].zero for name in list(self.model.names)[1:]])
         pin.framesForwardKinematics(self.model, self.data, self.q)
+        self.turn: Array = np.eye(3)
         self._solids = [
             pin.buildGeomFromUrdfString(self.model, text, kind)
             for kind in (pin.GeometryType.COLLISION, pin.GeometryType.VISUAL)
@@ -112,19 +120,23 @@ class Anatomy:
         return [*([] if joint.parent is None else self.way(joint.parent)), name]
 
     def place(self, name: str) -> Array:
-        """``root_T_joint``, shape (4, 4)."""
-        return np.array(self.data.oMi[self.model.getJointId(name)].homogeneous)
+        """``level_T_joint``, shape (4, 4)."""
+        return self._turned @ np.array(self.data.oMi[self.model.getJointId(name)].homogeneous)
 
     def frame(self, link: str) -> Array:
-        """``root_T_link``, shape (4, 4)."""
-        return np.array(self.data.oMf[self.frame_id(link)].homogeneous)
+        """``level_T_link``, shape (4, 4)."""
+        return self._turned @ np.array(self.data.oMf[self.frame_id(link)].homogeneous)
+
+    @property
+    def _turned(self) -> Array:
+        return poses.transform(self.turn, np.zeros(3))
 
     def frame_id(self, link: str) -> int:
         """Pinocchio's index of a link; a joint may have the same name."""
         return int(self.model.getFrameId(link, pin.FrameType.BODY))
 
     def axis(self, name: str) -> Array:
-        """Axis of a joint in the root's axes, shape (3,)."""
+        """Axis of a joint in the level frame, shape (3,)."""
         jacobian = pin.computeJointJacobian(self.model, self.data, self.q, self.model.getJointId(name))
         column = np.array(jacobian)[:, self.model.joints[self.model.getJointId(name)].idx_v]
         along = column[:3] if np.any(column[:3]) and not np.any(column[3:]) else column[3:]
@@ -138,11 +150,17 @@ class Anatomy:
 
     def points(self, name: str | None) -> Array:
         """Corners of what moves with a joint and with no joint beyond it, shape (n, 3)."""
-        return self._points[0 if name is None else self.model.getJointId(name)]
+        number = 0 if name is None else self.model.getJointId(name)
+        return np.asarray(self._points[number] @ self.turn.T)
 
     def all_points(self, names: list[str]) -> Array:
         """Corners of what moves with one of several joints, shape (n, 3)."""
         return np.vstack([np.empty((0, 3)), *(self.points(name) for name in names)])
+
+    def everything(self) -> Array:
+        """Corners of all that moves, and the joints' origins where nothing has a shape, shape (n, 3)."""
+        origins = [self.place(name)[:3, 3] for name in self.joints]
+        return np.vstack([self.all_points(list(self.joints)), *origins])
 
     def link_box(self, link: str) -> tuple[Array, Array] | None:
         """Lowest and highest corner of what is drawn of a link, or it collides with, in its frame."""
@@ -160,7 +178,9 @@ class Anatomy:
         """Whether a mesh that a link collides with has no hull: flat, or of a corner with too many edges."""
         for item in self._solids[0].geometryObjects:
             solid = item.geometry
-            if str(self.model.frames[item.parentFrame].name) != link or not isinstance(solid, coal.BVHModelBase):
+            if str(self.model.frames[item.parentFrame].name) != link or not isinstance(
+                solid, coal.BVHModelBase
+            ):
                 continue
             try:
                 solid.buildConvexHull(True, "Qt")

@@ -10,6 +10,7 @@ import numpy as np
 from kinematics.arrays import Array
 from tools.robot_data.drafting.anatomy import Anatomy
 from tools.robot_data.drafting.eyes import Eyes, eyes_of
+from tools.robot_data.drafting.facing import level_turn
 from tools.robot_data.drafting.guesses import Guesses
 from tools.robot_data.drafting.hands import HandPlace, hand_of
 from tools.robot_data.drafting.limbs import Limbs, find_limbs
@@ -91,7 +92,21 @@ def draft_of(path: Path, root: Path, base: str | None, guesses: Guesses) -> Draf
     """
     anatomy = Anatomy(path, root)
     limbs = find_limbs(anatomy, guesses, base)
-    if limbs.standing and base is None and not all(_has_shape(anatomy, limbs, side) for side in ("left", "right")):
+    turn = level_turn(anatomy, limbs)
+    if not np.allclose(turn, np.eye(3)):
+        anatomy.turn = turn
+        guesses.add(
+            "ahead and up", str(turn.astype(int).tolist()), "of the root link's axes, by legs and sides"
+        )
+        upright = bool(turn[2, 2] > 0.0)
+        if limbs.standing and not upright:
+            guesses.add("body.base", "welded", "its root link's z is not up")
+        limbs = find_limbs(anatomy, guesses, base if upright else "welded")
+    if (
+        limbs.standing
+        and base is None
+        and not all(_has_shape(anatomy, limbs, side) for side in ("left", "right"))
+    ):
         guesses.add("body.base", "welded", "it has two legs, and feet without a shape to stand on")
         limbs = find_limbs(anatomy, guesses, "welded")
     sides = {side: limbs.groups[f"{side}_arm"] for side in ("left", "right") if f"{side}_arm" in limbs.groups}
@@ -110,8 +125,12 @@ def draft_of(path: Path, root: Path, base: str | None, guesses: Guesses) -> Draf
     for side, hand in hands.items():
         guesses.add(f"hand.tcp.{side}", f"on {hand.link}", hand.why)
     for side, sole in soles.items():
-        guesses.add(f"sole.{side}", f"{sole.x_m} x {sole.y_m} m", "the lowest face of the foot, joints at zero")
-    guesses.add("camera", "none" if eyes is None else eyes.frame, "the URDF has none" if eyes is None else eyes.why)
+        guesses.add(
+            f"sole.{side}", f"{sole.x_m} x {sole.y_m} m", "the lowest face of the foot, joints at zero"
+        )
+    guesses.add(
+        "camera", "none" if eyes is None else eyes.frame, "the URDF has none" if eyes is None else eyes.why
+    )
     imu = _imu(anatomy) if limbs.standing else None
     if limbs.standing:
         guesses.add("body.imu_link", str(imu), "a link of that name, else the base")
@@ -121,7 +140,9 @@ def draft_of(path: Path, root: Path, base: str | None, guesses: Guesses) -> Draf
         guesses.add("body.base", "welded", "as asked" if base else "it has no two legs of six hinges")
     guesses.add("body.reach_m", f"{reach:.2f}", "the stretched arm")
     if anatomy.capsules:
-        guesses.add("source.capsules_as_cylinders", "true", "capsules are not judged; their ends are left out")
+        guesses.add(
+            "source.capsules_as_cylinders", "true", "capsules are not judged; their ends are left out"
+        )
     for name in anatomy.endless:
         if name not in held:
             guesses.add(f"limits.position.{name}", "[-pi, pi]", "it turns without end")
@@ -151,7 +172,13 @@ def _held(anatomy: Anatomy, limbs: Limbs, guesses: Guesses) -> dict[str, float]:
             continue
         lift = joint.kind == "prismatic" and name not in limbs.fingers
         held[name] = 0.5 * (joint.lower + joint.upper) if lift else joint.zero
-        why = "a lift, half way up" if lift else "a finger" if name in limbs.fingers else "in no arm, leg or neck"
+        why = (
+            "a lift, half way up"
+            if lift
+            else "a finger"
+            if name in limbs.fingers
+            else "in no arm, leg or neck"
+        )
         guesses.add(f"held.{name}", f"{held[name]:g}", why)
     return held
 
@@ -183,12 +210,16 @@ def _mount(anatomy: Anatomy, limbs: Limbs, guesses: Guesses) -> tuple[float, lis
         height = PEDESTAL_M - float(low[2])
         size = np.array([*(np.maximum(high - low, 0.1)[:2] * _PROUD), PEDESTAL_M - _GAP_M])
         xyz = np.array([*(0.5 * (low + high))[:2], float(low[2]) - _GAP_M - 0.5 * size[2]])
-        guesses.add("body.mount_xyz_m", f"[0, 0, {height:.3f}]", "an arm for a table: on a pedestal as high as one")
+        guesses.add(
+            "body.mount_xyz_m", f"[0, 0, {height:.3f}]", "an arm for a table: on a pedestal as high as one"
+        )
         return height, [BoxAround(anatomy.root, _triple(size), _triple(xyz), drawn=True)]
-    hanging = float(anatomy.all_points(list(anatomy.joints))[:, 2].min())
+    hanging = float(anatomy.everything()[:, 2].min())
     if hanging < float(low[2]) - _HANGS_M:
         height = _UNDER_HANDS_M - hanging
-        guesses.add("body.mount_xyz_m", f"[0, 0, {height:.3f}]", "its arms hang below its base: with room below them")
+        guesses.add(
+            "body.mount_xyz_m", f"[0, 0, {height:.3f}]", "its arms hang below its base: with room below them"
+        )
         return height, []
     height = _GAP_M - float(low[2])
     guesses.add("body.mount_xyz_m", f"[0, 0, {height:.3f}]", "its lowest part is on the floor")
@@ -197,7 +228,11 @@ def _mount(anatomy: Anatomy, limbs: Limbs, guesses: Guesses) -> tuple[float, lis
 
 def _imu(anatomy: Anatomy) -> str:
     names = [str(frame.name) for frame in anatomy.model.frames]
-    links = {name for name in names if "imu" in name.lower() and anatomy.urdf.find(f"link[@name='{name}']") is not None}
+    links = {
+        name
+        for name in names
+        if "imu" in name.lower() and anatomy.urdf.find(f"link[@name='{name}']") is not None
+    }
     return min(links) if links else anatomy.root
 
 

@@ -58,7 +58,9 @@ def eyes_of(anatomy: Anatomy, limbs: Limbs, base_link: str, reach_m: float) -> E
     if "optical" in link.lower() and frame[0, 2] > _LOOKS_AHEAD:
         return Eyes(link, None, None, pan, tilt, "a link of the URDF by its name")
     wanted = poses.transform(OPTICAL, frame[:3, 3])
-    return Eyes(DRAFTED, link, poses.inverse(frame) @ wanted, pan, tilt, "where that link is, looking straight ahead")
+    return Eyes(
+        DRAFTED, link, poses.inverse(frame) @ wanted, pan, tilt, "where that link is, looking straight ahead"
+    )
 
 
 def _seeing_link(anatomy: Anatomy, limbs: Limbs) -> str | None:
@@ -68,7 +70,8 @@ def _seeing_link(anatomy: Anatomy, limbs: Limbs) -> str | None:
         str(frame.name)
         for frame in anatomy.model.frames
         if frame.type == pin.FrameType.BODY
-        and not arms & set(anatomy.way(str(anatomy.model.names[frame.parentJoint])) if frame.parentJoint else ())
+        and not arms
+        & set(anatomy.way(str(anatomy.model.names[frame.parentJoint])) if frame.parentJoint else ())
     ]
     for pattern in _NAMES:
         for name in names:
@@ -88,4 +91,6 @@ def _stand(base_link: str, reach_m: float) -> Eyes:
     down = poses.rotation_y(0.78)  # of a camera that looks along -x
     turn = poses.rotation_z(np.pi) @ down @ OPTICAL
     place = poses.transform(turn, [1.3 * reach_m, 0.0, 0.8 * reach_m])
-    return Eyes(DRAFTED, base_link, place, None, None, "the URDF has no camera: one on a stand before the arm")
+    return Eyes(
+        DRAFTED, base_link, place, None, None, "the URDF has no camera: one on a stand before the arm"
+    )

@@ -42,25 +42,25 @@ def hand_of(anatomy: Anatomy, limbs: Limbs, arm: tuple[str, ...]) -> HandPlace:
     """The hand of an arm, from its shape with the joints at zero."""
     last = arm[-1]
     link = anatomy.joints[last].link
-    root_T_link = anatomy.frame(link)
+    level_T_link = anatomy.frame(link)
     beyond = [name for name in anatomy.subtree(last) if name != last and name in limbs.fingers]
-    tips = _in_link(anatomy.all_points(beyond), root_T_link)
-    body = _in_link(anatomy.points(last), root_T_link)
+    tips = _in_link(anatomy.all_points(beyond), level_T_link)
+    body = _in_link(anatomy.points(last), level_T_link)
     points = np.vstack([body, tips])
-    axis = root_T_link[:3, :3].T @ anatomy.axis(last)
-    before = _in_link(anatomy.place(arm[-2])[None, :3, 3], root_T_link)[0] if len(arm) > 1 else np.zeros(3)
+    axis = level_T_link[:3, :3].T @ anatomy.axis(last)
+    before = _in_link(anatomy.place(arm[-2])[None, :3, 3], level_T_link)[0] if len(arm) > 1 else np.zeros(3)
     ahead, why = _way(points, tips, axis, before)
     reach = float((points @ ahead).max()) if len(points) else 0.0
     along = max(reach - _INSIDE_TIPS_M, 0.0) if len(tips) else reach + _PALM_M
     middle = _middle(points, ahead, along)
-    opening = _opening(anatomy, beyond, root_T_link, ahead)
+    opening = _opening(anatomy, beyond, level_T_link, ahead)
     across = np.cross(ahead, opening)
     rotation = np.column_stack([ahead, opening, across])
     return HandPlace(link, poses.transform(rotation, middle), bool(len(tips)), why)
 
 
-def _in_link(points: Array, root_T_link: Array) -> Array:
-    return (points - root_T_link[:3, 3]) @ root_T_link[:3, :3]
+def _in_link(points: Array, level_T_link: Array) -> Array:
+    return (points - level_T_link[:3, 3]) @ level_T_link[:3, :3]
 
 
 def _way(points: Array, tips: Array, axis: Array, before: Array) -> tuple[Array, str]:
@@ -90,10 +90,10 @@ def _middle(points: Array, ahead: Array, along: float) -> Array:
     return np.asarray(place + centre - ahead * (centre @ ahead))
 
 
-def _opening(anatomy: Anatomy, fingers: list[str], root_T_link: Array, ahead: Array) -> Array:
+def _opening(anatomy: Anatomy, fingers: list[str], level_T_link: Array, ahead: Array) -> Array:
     """The unit vector along which fingers part, across the approach; without fingers any that is."""
     middles = [
-        _in_link(points, root_T_link).mean(axis=0)
+        _in_link(points, level_T_link).mean(axis=0)
         for points in (anatomy.points(name) for name in fingers)
         if len(points)
     ]
@@ -102,7 +102,7 @@ def _opening(anatomy: Anatomy, fingers: list[str], root_T_link: Array, ahead: Ar
         spread -= np.outer(spread @ ahead, ahead)
         way = np.linalg.svd(spread)[2][0]
     else:
-        way = root_T_link[:3, :3].T @ np.array([0.0, 1.0, 0.0])
+        way = level_T_link[:3, :3].T @ np.array([0.0, 1.0, 0.0])
     way = way - ahead * (way @ ahead)
     if np.linalg.norm(way) < 0.3:
         way = np.eye(3)[int(np.argmin(np.abs(ahead)))]

@@ -91,14 +91,18 @@ def find_limbs(anatomy: Anatomy, guesses: Guesses, base: str | None = None) -> L
     for group, members in groups.items():
         if members:
             guesses.add(f"groups.{group}", ", ".join(members), "by the tree of joints, places and names")
-    return Limbs({group: members for group, members in groups.items() if members}, rest, frozenset(fingers), standing)
+    return Limbs(
+        {group: members for group, members in groups.items() if members}, rest, frozenset(fingers), standing
+    )
 
 
 def _held_anyway(anatomy: Anatomy, name: str) -> bool:
     joint = anatomy.joints[name]
     if joint.kind not in ("revolute", "continuous") or joint.mimics is not None or joint.lower >= joint.upper:
         return True
-    turns_a_wheel = joint.kind == "continuous" and len(anatomy.subtree(name)) <= _TWIG and len(anatomy.way(name)) <= _TWIG
+    turns_a_wheel = (
+        joint.kind == "continuous" and len(anatomy.subtree(name)) <= _TWIG and len(anatomy.way(name)) <= _TWIG
+    )
     return turns_a_wheel or bool(_WHEEL.search(name) or _WHEEL.search(joint.link))
 
 
@@ -129,7 +133,9 @@ def _twigs(anatomy: Anatomy, hinges: list[str]) -> set[str]:
     found: set[str] = set()
     for name in [None, *hinges]:
         children = [one for one in anatomy.children(name) if one in hinges]
-        short = all(len([one for one in anatomy.subtree(child) if one in hinges]) <= _TWIG for child in children)
+        short = all(
+            len([one for one in anatomy.subtree(child) if one in hinges]) <= _TWIG for child in children
+        )
         if name is not None and len(children) > 1 and short:
             found |= {one for child in children for one in anatomy.subtree(child)}
     return found
@@ -148,9 +154,9 @@ def _sort(anatomy: Anatomy, chain: list[str], *, alone: bool) -> str:
     best = max(said, key=lambda sort: said[sort])
     if said[best] > 0 and not (best == "head" and len(chain) > _NECK + 1):
         return best if best != "arm" or len(chain) >= _LEAST_OF_AN_ARM else "none"
-    heights = anatomy.all_points(list(anatomy.joints))[:, 2]
+    heights = anatomy.everything()[:, 2]
     low, high = float(heights.min()), float(heights.max())
-    end = float(anatomy.all_points(chain)[:, 2].min())
+    end = float(min(*anatomy.all_points(chain)[:, 2], *(anatomy.place(name)[2, 3] for name in chain)))
     if end < low + 0.1 * (high - low) and len(chain) >= _LEAST_OF_AN_ARM:
         return "leg"
     if len(chain) <= _NECK:

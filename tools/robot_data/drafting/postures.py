@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pinocchio as pin
 
 from kinematics.arrays import Array
 from kinematics.collision.collision_world import CollisionWorld
@@ -22,18 +23,36 @@ _LOOKED_AT = 120
 """Of the drawn postures the best are looked at, whether anything touches."""
 _STRETCHED = 0.55
 """Of an arm's length: so far from the shoulder a hand has room to all sides."""
-_BEND = 0.06
-"""Of a leg's length: so much lower than with straight knees."""
+_BENDS = (0.06, 0.03, 0.015, 0.005)
+"""Of a leg's length: so much lower than with straight knees, the first with which the soles are flat."""
+_FLAT = 1e-4
+_OFF_THE_END = 0.35
+"""Of a sole's length: so far from its ends is the weight, and else as near to the ankle as may be."""
 _SEEDS = 24
 _STEPS = 80
 
 
-def home_of(model: RobotModel, rng: np.random.Generator) -> dict[str, float] | None:
-    """Joint positions of a home posture, rad; None when nothing was found that touches nothing.
+class NoHomeError(ValueError):
+    """No posture was found in which nothing touches.
+
+    Attributes:
+        always: Pairs of links that touch in every posture that was looked at.
+    """
+
+    def __init__(self, always: frozenset[tuple[str, str]]) -> None:
+        self.always = always
+        super().__init__("no posture was found that touches nothing")
+
+
+def home_of(model: RobotModel, rng: np.random.Generator) -> dict[str, float]:
+    """Joint positions of a home posture, rad.
 
     Args:
         model: The robot, with joints at zero as home, and its pairs of links sampled.
         rng: Draws postures.
+
+    Raises:
+        NoHomeError: Something touches in every posture.
     """
     q = model.q_home.copy()
     if not model.description.welded:
@@ -43,7 +62,7 @@ def home_of(model: RobotModel, rng: np.random.Generator) -> dict[str, float] | N
         if found is not None:
             break
     else:
-        return None
+        raise NoHomeError(_always_touching(model, q, rng))
     if not model.description.welded:
         found = _stood(model, found, rng)
     return dict(zip(model.joints, found[7:].tolist(), strict=True))
@@ -72,6 +91,23 @@ def _with_arms(model: RobotModel, q: Array, world: CollisionWorld, rng: np.rando
             if not world.collides(found):
                 return found
     return None
+
+
+def _always_touching(model: RobotModel, q: Array, rng: np.random.Generator) -> frozenset[tuple[str, str]]:
+    """Pairs that touch whatever the arms do: legs as they stand, the trunk at zero."""
+    geometry = model.geometry()
+    data, placed = model.pin.createData(), geometry.createData()
+    arms = np.concatenate([model.group(f"{hand}_arm") for hand in model.description.hands])
+    low, high = np.maximum(model.lower_rad[arms], -math.pi), np.minimum(model.upper_rad[arms], math.pi)
+    touching = np.ones(len(geometry.collisionPairs), dtype=np.bool_)
+    for _ in range(_LOOKED_AT):
+        one = q.copy()
+        one[7 + arms] = rng.uniform(low, high)
+        pin.computeCollisions(model.pin, data, geometry, placed, one, False)
+        touching &= [result.isCollision() for result in placed.collisionResults]
+    pairs = (geometry.collisionPairs[int(k)] for k in np.flatnonzero(touching))
+    named = ((geometry.geometryObjects[pair.first], geometry.geometryObjects[pair.second]) for pair in pairs)
+    return frozenset((min(names), max(names)) for names in (tuple(map(model.link_of, two)) for two in named))
 
 
 def _ranked(
@@ -105,35 +141,58 @@ def _ranked(
 
 
 def _stood(model: RobotModel, q: Array, rng: np.random.Generator) -> Array:
-    """Legs bent a little, soles flat, the CoM over their middle; the base is level, and stays where it is."""
+    """Legs bent a little, soles flat, the CoM over them; the base is level, and stays where it is."""
+    legs = np.concatenate([model.indices(_leg(model, sole)) for sole in model.description.soles])
+    straight = q.copy()
+    straight[7 + legs] = np.clip(0.0, model.lower_rad[legs] + _ROOM_RAD, model.upper_rad[legs] - _ROOM_RAD)
+    for bend in _BENDS:
+        found, error = _stood_with(model, straight, bend, rng)
+        if error < _FLAT:
+            break
+    return found
+
+
+def _stood_with(model: RobotModel, q: Array, bend: float, rng: np.random.Generator) -> tuple[Array, float]:
+    """The same with so much of a bend, and by how much a sole is off, m and rad."""
     soles = model.description.soles
     start = [model.frame_pose(q, sole.frame) for sole in soles]
-    q, shift = q.copy(), np.zeros(3)
+    q, shift, error = q.copy(), np.zeros(3), math.inf
     hips = [model.frame_pose(q, model.moved_links[_leg(model, sole)[0]])[2, 3] for sole in soles]
-    lift = _BEND * float(np.mean([hip - pose[2, 3] for hip, pose in zip(hips, start, strict=True)]))
+    lift = bend * float(np.mean([hip - pose[2, 3] for hip, pose in zip(hips, start, strict=True)]))
     for _ in range(6):
+        error = 0.0
         for sole, pose in zip(soles, start, strict=True):
-            goal = pose.copy()
-            goal[:3, 3] += (shift[0], shift[1], lift)
-            q = _leg_at(model, q, sole, goal, rng)
+            moved = pose[:3, 3] + (shift[0], shift[1], lift)
+            goal = poses.transform(poses.rotation_z(poses.yaw_of(pose[:3, :3])), moved)
+            q, off = _leg_at(model, q, sole, goal, rng)
+            error = max(error, off)
         placed = [model.frame_pose(q, sole.frame) for sole in soles]
         middles = [
-            pose[:3, :3] @ (np.mean(sole.x_m), np.mean(sole.y_m), 0.0) + pose[:3, 3]
+            pose[:3, :3] @ (_carrying(sole), np.mean(sole.y_m), 0.0) + pose[:3, 3]
             for pose, sole in zip(placed, soles, strict=True)
         ]
         shift[:2] += (model.com(q) - np.mean(middles, axis=0))[:2]
-    return q
+    return q, error
+
+
+def _carrying(sole: SoleDescription) -> float:
+    """Where along a sole the weight is: below the ankle, unless that is near an end."""
+    low, high = sole.x_m
+    room = _OFF_THE_END * (high - low)
+    return min(max(0.0, low + room), high - room)
 
 
 def _leg(model: RobotModel, sole: SoleDescription) -> tuple[str, ...]:
     return model.description.groups[f"{sole.side}_leg"]
 
 
-def _leg_at(model: RobotModel, q: Array, sole: SoleDescription, goal: Array, rng: np.random.Generator) -> Array:
-    """The leg of a sole with the sole at a pose: damped least squares from several starts, the nearest answer."""
+def _leg_at(
+    model: RobotModel, q: Array, sole: SoleDescription, goal: Array, rng: np.random.Generator
+) -> tuple[Array, float]:
+    """The leg of a sole with the sole at a pose, and how far it is off: damped least squares, several starts."""
     joints = model.indices(_leg(model, sole))
     low, high = model.lower_rad[joints] + _ROOM_RAD, model.upper_rad[joints] - _ROOM_RAD
-    best, least = q, math.inf
+    best, least, off = q, math.inf, math.inf
     for seed in range(_SEEDS):
         one = q.copy()
         spread = 0.6 if seed else 0.0
@@ -150,7 +209,7 @@ def _leg_at(model: RobotModel, q: Array, sole: SoleDescription, goal: Array, rng
             one[7 + joints] = np.clip(one[7 + joints] + np.clip(step, -0.3, 0.3), low, high)
         cost = float(np.abs(one[7 + joints]).sum()) + 1e4 * float(np.linalg.norm(error))
         if cost < least:
-            best, least = one, cost
+            best, least, off = one, cost, float(np.linalg.norm(error))
         if seed == 0 and np.linalg.norm(error) < 1e-7 and np.any(np.abs(q[7 + joints]) > 0.05):
             break  # it stood nearly so before
-    return best
+    return best, off

@@ -80,14 +80,22 @@ def kinds_of(anatomy: Anatomy, limbs: Limbs, guesses: Guesses) -> list[Kind]:
                 effort,
             )
         )
-        guesses.add(f"gains.{name}", f"stiffness {stiffness:g}", "from the inertia moved, and of legs the weight")
         guesses.add(
-            f"limits.acceleration.{name}", f"{ACCELERATION_RAD_S2:g}, jerk {JERK_RAD_S3:g}", "those of TALOS's arms"
+            f"gains.{name}", f"stiffness {stiffness:g}", "from the inertia moved, and of legs the weight"
+        )
+        guesses.add(
+            f"limits.acceleration.{name}",
+            f"{ACCELERATION_RAD_S2:g}, jerk {JERK_RAD_S3:g}",
+            "those of TALOS's arms",
         )
         if velocity is not None:
-            guesses.add(f"limits.velocity.{name}", f"{velocity:g}", "the URDF has none, or one that nothing reaches")
+            guesses.add(
+                f"limits.velocity.{name}", f"{velocity:g}", "the URDF has none, or one that nothing reaches"
+            )
         if effort is not None:
-            guesses.add(f"limits.effort.{name}", f"{effort:g}", "the URDF's do not bear the limb's own weight")
+            guesses.add(
+                f"limits.effort.{name}", f"{effort:g}", "the URDF's do not bear the limb's own weight"
+            )
     return kinds
 
 
@@ -130,7 +138,7 @@ def _loads(anatomy: Anatomy, limbs: Limbs) -> tuple[dict[str, float], dict[str, 
 def _tipping_nm(anatomy: Anatomy) -> float:
     """What the weight asks for a radian out of balance, Nm."""
     com = pin.centerOfMass(anatomy.model, anatomy.model.createData(), anatomy.q)
-    height = float(com[2] - anatomy.all_points(list(anatomy.joints))[:, 2].min())
+    height = float(com[2] - anatomy.everything()[:, 2].min())
     return float(pin.computeTotalMass(anatomy.model)) * _GRAVITY_M_S2 * height
 
 

@@ -45,8 +45,8 @@ def sole_of(anatomy: Anatomy, leg: tuple[str, ...]) -> SolePlace:
         points = anatomy.all_points(anatomy.subtree(leg[-1]))
     if not len(points):
         raise ValueError(f"the foot {link!r} has no shape to stand on")
-    root_T_link = anatomy.frame(link)
-    ankle = root_T_link[:3, 3]
+    level_T_link = anatomy.frame(link)
+    ankle = level_T_link[:3, 3]
     lowest = float(points[:, 2].min())
     face = points[points[:, 2] < lowest + _FACE_M][:, :2] - ankle[:2]
     low, high = face.min(axis=0) + _EDGE_M, face.max(axis=0) - _EDGE_M
@@ -55,11 +55,11 @@ def sole_of(anatomy: Anatomy, leg: tuple[str, ...]) -> SolePlace:
     backwards = middle[0] < 0.0 and abs(low[0]) > 1.5 * abs(high[0])  # toes point along -x
     turn = poses.rotation_z(np.pi) if backwards else np.eye(3)
     sign = -1.0 if backwards else 1.0
-    root_T_sole = poses.transform(turn, [ankle[0], ankle[1], lowest])
+    level_T_sole = poses.transform(turn, [ankle[0], ankle[1], lowest])
     centre = sign * middle
     return SolePlace(
         link,
-        poses.inverse(root_T_link) @ root_T_sole,
+        poses.inverse(level_T_link) @ level_T_sole,
         (float(centre[0] - half[0]), float(centre[0] + half[0])),
         (float(centre[1] - half[1]), float(centre[1] + half[1])),
     )

@@ -73,6 +73,8 @@ def _body(draft: Draft) -> str:
         lines.append(f"imu_link = {json.dumps(draft.imu_link)}")
     if not draft.limbs.standing:
         lines += ['base = "welded"', f"mount_xyz_m = [0.0, 0.0, {_number(draft.mount_z_m)}]"]
+        if not np.allclose(draft.anatomy.turn, np.eye(3)):
+            lines.append(f"mount_rpy_rad = [{', '.join(map(_exact, _rpy(draft.anatomy.turn)))}]")
     lines.append(f"reach_m = {_number(round(1.1 * draft.reach_m, 2))}")
     return "[body]\n" + "\n".join(lines) + "\n"
 
@@ -93,7 +95,10 @@ def _limits(draft: Draft) -> str:
     for key in ("velocity", "effort"):
         over = [(kind.name, getattr(kind, key)) for kind in kinds if getattr(kind, key) is not None]
         if over:
-            lines += [f"[limits.{key}]   # over the URDF's", *(f"{name} = {_number(value)}" for name, value in over)]
+            lines += [
+                f"[limits.{key}]   # over the URDF's",
+                *(f"{name} = {_number(value)}" for name, value in over),
+            ]
     if bounds:
         lines += ["[limits.position]   # of joints that turn without end"]
         lines += [f"{_key(name)} = {text}" for name, text in bounds.items()]
@@ -166,20 +171,26 @@ def _box(box: BoxAround) -> str:
 
 
 def _place(place: Array) -> list[str]:
-    r = place[:3, :3]
+    xyz, rpy = place[:3, 3], _rpy(place[:3, :3])
+    return [f"xyz = [{', '.join(map(_number, xyz))}]", f"rpy = [{', '.join(map(_exact, rpy))}]"]
+
+
+def _rpy(r: Array) -> tuple[float, float, float]:
+    """Roll, pitch, yaw about fixed axes of a rotation."""
     pitch = math.atan2(-r[2, 0], math.hypot(r[0, 0], r[1, 0]))
     if math.hypot(r[0, 0], r[1, 0]) < 1e-9:
         roll, yaw = math.atan2(-r[1, 2], r[1, 1]), 0.0
     else:
         roll, yaw = math.atan2(r[2, 1], r[2, 2]), math.atan2(r[1, 0], r[0, 0])
-    xyz, rpy = place[:3, 3], (roll, pitch, yaw)
-    return [f"xyz = [{', '.join(map(_number, xyz))}]", f"rpy = [{', '.join(map(_exact, rpy))}]"]
+    return roll, pitch, yaw
 
 
 def _table(name: str, values: Mapping[str, float], what: str) -> str:
     if not values and name != "home":
         return ""
-    return f"[{name}]   # {what}\n" + "".join(f"{_key(key)} = {_number(value)}\n" for key, value in values.items())
+    return f"[{name}]   # {what}\n" + "".join(
+        f"{_key(key)} = {_number(value)}\n" for key, value in values.items()
+    )
 
 
 def _list(names: Iterable[str]) -> str:
