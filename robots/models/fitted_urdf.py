@@ -1,4 +1,4 @@
-"""A URDF made fit by a robot's data: joints held fast, joints without end given limits, what is no part left out."""
+"""A URDF made fit by a robot's data: joints held, joints without end bounded, what is no part left out."""
 
 from __future__ import annotations
 

@@ -72,6 +72,8 @@ def _counts(
     model: RobotModel, geometry: pin.GeometryModel, margin_m: float, samples: int, seed: int
 ) -> dict[Pair, int]:
     """In how many random configurations each pair of links is nearer than a margin."""
+    if not geometry.collisionPairs:
+        return {}
     data, placed = model.pin.createData(), geometry.createData()
     for request in placed.collisionRequests:
         request.security_margin = margin_m

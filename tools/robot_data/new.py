@@ -1,4 +1,4 @@
-"""Draft a robot's folder from its URDF: groups, limits, home, base, hands, eyes, pairs of links that are not judged.
+"""Draft a robot's folder from its URDF: groups, limits, home, base, hands, eyes, pairs that are not judged.
 
     python -m tools.robot_data new robot.urdf
 

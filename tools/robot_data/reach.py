@@ -104,10 +104,11 @@ def reach(robot: RobotData, hand: Hand, point_m: Array | None, seed: int) -> Rea
         if not found.within(tolerance) or not planner.is_free(goal):
             continue
         curve = planner.plan(start, goal, moving, rng)
-        if curve is None:
+        timed = None if curve is None else time_curve(standing, curve, pace)
+        if timed is None:
             failed = Reach(False, "path", "no path was found between home and the point")
             continue
-        verdict = TrajectoryChecker(model).check(time_curve(standing, curve, pace), PlanningScene())
+        verdict = TrajectoryChecker(model).check(timed, PlanningScene())
         if isinstance(verdict, Unsafe):
             failed = Reach(False, "check", str(verdict))
             continue
@@ -123,7 +124,10 @@ def _moving(model: RobotModel, hand: Hand) -> tuple[str, ...]:
 def _targets(
     model: RobotModel, hand: Hand, point_m: Array | None, rng: np.random.Generator
 ) -> Iterator[Transform]:
-    """Poses of the TCP that random postures of the arm have, the nearest to the point first, moved onto it."""
+    """Poses of the TCP that random postures of the arm have, the nearest to the point first, moved there.
+
+    Without a point the nearest to home, and not all too near.
+    """
     frame = model.description.tcp_frames[hand]
     home = model.frame_pose(model.q_home, frame)[:3, 3]
     joints = model.group(f"{hand}_arm")
@@ -135,7 +139,9 @@ def _targets(
         q[7 + joints] = posture
         drawn.append(model.frame_pose(q, frame))
     if point_m is None:
-        yield from (pose for pose in drawn if np.linalg.norm(pose[:3, 3] - home) > _LEAST_M)
+        away = [float(np.linalg.norm(pose[:3, 3] - home)) for pose in drawn]
+        near = sorted(range(len(drawn)), key=lambda k: away[k])
+        yield from (drawn[k] for k in near if away[k] > _LEAST_M)
         return
     for pose in sorted(drawn, key=lambda one: float(np.linalg.norm(one[:3, 3] - point_m)))[:_TRIED]:
         target = pose.copy()

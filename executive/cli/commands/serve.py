@@ -32,6 +32,7 @@ from executive.cli.commands.choices import (
     ViewPortOption,
     YesOption,
     not_empty,
+    robot_name,
     whole_number_from,
 )
 from executive.config import (
@@ -46,7 +47,9 @@ from executive.trust import THRESHOLD, Trust
 
 
 def serve(
-    robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
+    robot: Annotated[
+        str, typer.Option(help="Name of the robot, or its folder.", callback=robot_name)
+    ] = DEFAULT_ROBOT,
     scene: Annotated[
         str, typer.Option(metavar="NAME|FILE.toml", help="Where.", callback=not_empty)
     ] = DEFAULT_SCENE,

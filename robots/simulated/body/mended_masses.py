@@ -1,6 +1,6 @@
 """Masses of a URDF as the simulator takes them: inertias that are none are made those of small balls.
 
-URDFs have such links where nobody cared: antennas, bases that never move, links between two axes of one joint.
+URDFs have such links where nobody cared: antennas, bases that never move, links between two axes.
 """
 
 from __future__ import annotations

@@ -64,8 +64,8 @@ class Joint:
 class Anatomy:
     """The joints of a robot, what they carry, and where all of it is with the joints at zero.
 
-    Places are those of a level frame at the URDF's root link, z up and x ahead: the link's own, unless ``turn``
-    is set to another.
+    Places are those of a level frame at the URDF's root link, z up and x ahead: the link's own, unless
+    ``turn`` is set to another.
 
     Attributes:
         urdf: The document, mesh paths absolute.
@@ -121,11 +121,13 @@ class Anatomy:
 
     def place(self, name: str) -> Array:
         """``level_T_joint``, shape (4, 4)."""
-        return self._turned @ np.array(self.data.oMi[self.model.getJointId(name)].homogeneous)
+        placed: Array = self._turned @ np.array(self.data.oMi[self.model.getJointId(name)].homogeneous)
+        return placed
 
     def frame(self, link: str) -> Array:
         """``level_T_link``, shape (4, 4)."""
-        return self._turned @ np.array(self.data.oMf[self.frame_id(link)].homogeneous)
+        placed: Array = self._turned @ np.array(self.data.oMf[self.frame_id(link)].homogeneous)
+        return placed
 
     @property
     def _turned(self) -> Array:
@@ -210,7 +212,8 @@ def _corners(item: pin.GeometryObject) -> Array:
         if len(points):  # those of the loader are scaled already
             low, high = points.argmin(axis=0), points.argmax(axis=0)
             spread = np.linspace(0, len(points) - 1, min(len(points), _MOST_POINTS)).astype(np.intp)
-            return points[np.concatenate([low, high, spread])]
+            chosen: Array = points[np.concatenate([low, high, spread])]
+            return chosen
     solid.computeLocalAABB()
     low, high = np.array(solid.aabb_local.min_), np.array(solid.aabb_local.max_)
     grid = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, -1)

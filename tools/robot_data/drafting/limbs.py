@@ -1,4 +1,4 @@
-"""Which joints are a leg, an arm, the torso or the head, and which nothing is to move: by tree and by name."""
+"""Which joints are leg, arm, torso or head, and which nothing is to move: by tree, places and names."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def _held_anyway(anatomy: Anatomy, name: str) -> bool:
 
 
 def _fingers(anatomy: Anatomy) -> set[str]:
-    """Joints of hands: by name, or several short chains at the end of a long one; and joints that slide there."""
+    """Joints of hands: by name, or several short chains at the end of a long one, or joints that slide."""
     found: set[str] = set()
     for name, joint in anatomy.joints.items():
         if name in found:
@@ -165,7 +165,7 @@ def _sort(anatomy: Anatomy, chain: list[str], *, alone: bool) -> str:
 
 
 def _sides(anatomy: Anatomy, limb: str, chains: list[list[str]]) -> dict[str, tuple[str, ...]]:
-    """By side: as the names say, else the one with the greater y is the left one; a single arm is the right."""
+    """By side: as the names say, else the one with the greater y is left; a single arm is the right."""
     if len(chains) == 1:
         return {f"right_{limb}": tuple(chains[0])}
     said = [sum(bool(_LEFT.search(name)) - bool(_RIGHT.search(name)) for name in chain) for chain in chains]

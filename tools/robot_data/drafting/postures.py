@@ -1,4 +1,4 @@
-"""The home posture of a drafted robot: hands ahead with room to move, legs bent with the weight over the soles."""
+"""The home posture of a drafted robot: hands ahead with room to move, the weight over the soles."""
 
 from __future__ import annotations
 
@@ -168,7 +168,7 @@ def _stood_with(model: RobotModel, q: Array, bend: float, rng: np.random.Generat
             error = max(error, off)
         placed = [model.frame_pose(q, sole.frame) for sole in soles]
         middles = [
-            pose[:3, :3] @ (_carrying(sole), np.mean(sole.y_m), 0.0) + pose[:3, 3]
+            pose[:3, :3] @ np.array([_carrying(sole), float(np.mean(sole.y_m)), 0.0]) + pose[:3, 3]
             for pose, sole in zip(placed, soles, strict=True)
         ]
         shift[:2] += (model.com(q) - np.mean(middles, axis=0))[:2]
@@ -189,7 +189,7 @@ def _leg(model: RobotModel, sole: SoleDescription) -> tuple[str, ...]:
 def _leg_at(
     model: RobotModel, q: Array, sole: SoleDescription, goal: Array, rng: np.random.Generator
 ) -> tuple[Array, float]:
-    """The leg of a sole with the sole at a pose, and how far it is off: damped least squares, several starts."""
+    """The leg of a sole with that at a pose, and how far it is off: damped least squares, several starts."""
     joints = model.indices(_leg(model, sole))
     low, high = model.lower_rad[joints] + _ROOM_RAD, model.upper_rad[joints] - _ROOM_RAD
     best, least, off = q, math.inf, math.inf

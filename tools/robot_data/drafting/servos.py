@@ -1,4 +1,4 @@
-"""Kinds of joints with their gains and limits: from the inertia that a joint moves and what gravity asks of it."""
+"""Kinds of joints with gains and limits: from the inertia that a joint moves and what gravity asks of it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SAG_RAD = 0.01
 """A servo alone gives way so much under a limb's own weight, at most."""
 _STIFFEST = 10_000.0
 _PER_RAD = 40.0
-"""Stiffness over effort, at most: a servo that lags a millisecond behind a quick motion is not to seem weak."""
+"""Stiffness over effort, at most: a servo a millisecond behind a quick motion is not to seem weak."""
 _DAMPING_S = 0.02
 """Damping over stiffness, of TALOS's arms as of Panda's."""
 _STANDING = 6.0
@@ -108,9 +108,9 @@ def _members(anatomy: Anatomy, limbs: Limbs) -> dict[str, list[str]]:
             part = "ankle" if limb == "leg" and place >= len(joints) - 2 else limb
             sorted_by.setdefault((part, anatomy.joints[joint].effort), []).append(joint)
     members: dict[str, list[str]] = {}
-    for (part, _), joints in sorted_by.items():
+    for (part, _), alike in sorted_by.items():
         count = sum(name.partition("_")[0] == part for name in members)
-        members[f"{part}_{count + 1}"] = joints
+        members[f"{part}_{count + 1}"] = alike
     return members
 
 
