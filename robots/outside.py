@@ -27,6 +27,8 @@ SCENES = "humanoid_executive.scenes"
 """Each names a package with scenes, ``<name>.toml``."""
 ROBOTS = "humanoid_executive.robots"
 """Each names a package with a robot's ``description.toml``; the robot is called as the entry point is."""
+BODIES = "humanoid_executive.bodies"
+"""Each names a function that attaches a body: ``robots.interface.bodies.AttachBody``."""
 VOCABULARY = "humanoid_executive.vocabulary"
 """Each names a package with word lists, ``*.toml``, in the form of a user's configuration."""
 

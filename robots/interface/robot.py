@@ -30,7 +30,8 @@ class RobotState(InFloat64):
         age_s: How old the readings are; 0 where they are of this period.
         temperature_c: Of each motor, shape (n,); None where nobody measures it.
         motor_error: The code that each motor tells, shape (n,), 0 for none; None where they tell nothing.
-        alarm: Why the body asks for its emergency stop: a button on it, a wire that fails; empty when it does not.
+        alarm: Why the body asks for its emergency stop: a button on it, a wire that fails; empty when it does
+            not.
 
     Raises:
         InvalidArrayError: A reading holds no real numbers; numbers of another type are converted.

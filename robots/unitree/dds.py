@@ -33,9 +33,8 @@ def configuration(interface: str) -> str:
     if interface == LOOPBACK:
         network = '<NetworkInterface address="127.0.0.1" multicast="true"/>'
         peers = '<Discovery><Peers><Peer address="127.0.0.1"/></Peers></Discovery>'
-    return (
-        f"<CycloneDDS><Domain><General><Interfaces>{network}</Interfaces></General>{peers}</Domain></CycloneDDS>"
-    )
+    general = f"<General><Interfaces>{network}</Interfaces></General>"
+    return f"<CycloneDDS><Domain>{general}{peers}</Domain></CycloneDDS>"
 
 
 class DdsEnd:
@@ -69,7 +68,7 @@ class DdsEnd:
 
     def received(self) -> list[Record]:
         """What has come since the last call, oldest first."""
-        found = (carried(one) for one in self._reader.take(N=_MOST_TAKEN) if isinstance(one, IdlStruct))
+        found = (carried(one) for one in self._reader.take(N=_MOST_TAKEN))
         return [record for record in found if record is not None]
 
     def wait(self, longest_s: float) -> None:

@@ -1,9 +1,9 @@
 """The bytes of ``unitree_hg`` low-level messages, and their check sum.
 
-In memory a message is the C struct that the check sum is made of: CRC-32/MPEG-2 over the words of all but the
-last, each word taken from its high byte down. On the wire (little-endian CDR) structs are not aligned, only their
-fields: the first motor's mode stands right behind what is before it, and a word of padding is not there. Layout
-and sum are those of Unitree's SDK.
+In memory a message is the C struct that the check sum is made of: CRC-32/MPEG-2 over the words of all but
+the last, each word taken from its high byte down. On the wire (little-endian CDR) structs are not aligned,
+only their fields: the first motor's mode stands right behind what is before it, and a word of padding is not
+there. Layout and sum are those of Unitree's SDK.
 """
 
 from __future__ import annotations

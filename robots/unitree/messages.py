@@ -35,15 +35,15 @@ _LITTLE_ENDIAN = 1
 
 
 def carrying(kind: type[M], record: Record) -> M:
-    """The message of a record, which stays bytes: to put 35 motors together field by field takes 1 to 3 ms."""
+    """The message of a record, which stays bytes: 35 motors put together field by field take 1 to 3 ms."""
     made = object.__new__(kind)
     made.__dict__["record"] = record
     return made
 
 
-def carried(message: IdlStruct) -> Record | None:
-    """The record of a message that came; None when its bytes were no such message."""
-    found: Record | None = message.__dict__.get("record")
+def carried(message: Any) -> Record | None:
+    """The record of a message that came; None of what was none."""
+    found: Record | None = getattr(message, "__dict__", {}).get("record")
     return found
 
 

@@ -49,9 +49,9 @@ class Time(Protocol):
 class UnitreeRobot:
     """A robot that is somewhere else: time passes by itself, and each period a state comes or does not.
 
-    Setpoints go out with the servos' gains, unfolded: effort, position and speed are put together by the motors.
-    When the wire fails, what goes out is what ``robots.unitree.watch`` declares; afterwards the motors are taken up
-    where they are.
+    Setpoints go out with the servos' gains, unfolded: the motors put effort, position and speed together.
+    When the wire fails, what goes out is what ``robots.unitree.watch`` declares; afterwards the motors are
+    taken up where they are.
 
     Attributes:
         sent: How many commands were sent.
@@ -100,8 +100,8 @@ class UnitreeRobot:
             left_s = begun_s + first_within_s - clock.now_s()
             if left_s <= 0.0:
                 raise SilentRobotError(
-                    f"no state on rt/lowstate within {first_within_s:g} s ({self._watch.garbled} with a wrong check "
-                    "sum); is the robot on, and is this its network interface?"
+                    f"no state on rt/lowstate within {first_within_s:g} s ({self._watch.garbled} with a "
+                    "wrong check sum); is the robot on, and is this its network interface?"
                 )
             self._wire.wait(left_s)
             self._hear()
@@ -122,6 +122,11 @@ class UnitreeRobot:
         """What was wrong with the wire when it was last looked at, the gravest last."""
         return self._findings
 
+    @property
+    def taken_up(self) -> bool:
+        """Whether the motors follow with all their stiffness."""
+        return self._commands.share == 1.0
+
     def read(self) -> RobotState:
         """Return the readings of the last control period, with their age."""
         return self._reading
@@ -130,7 +135,8 @@ class UnitreeRobot:
         """Send a setpoint, or what the wire's failures ask for in its place.
 
         Raises:
-            SetpointRefusedError: A wrong shape or a value that is not finite: a defect upstream. Nothing is sent.
+            SetpointRefusedError: A wrong shape or a value that is not finite: a defect upstream. Nothing is
+                sent.
         """
         n = len(self._motors)
         for values in (setpoint.q, setpoint.v, setpoint.tau):

@@ -141,7 +141,7 @@ class WireWatch:
         held, self._latched = self._latched, None
         now = [one for one in self.findings(now_s) if FOLLOWS[one.trouble] is not Consequence.NONE]
         if now:
-            self._latched = self._latched or held
+            self._latched = held
             return str(now[-1])
         return None
 
@@ -168,6 +168,8 @@ class WireWatch:
                 WireFinding(Trouble.WRONG_MODE, f"mode_pr is {series}, and joints are commanded in 0")
             )
         errors = self.state["motor"]["motorstate"][self._motors]
-        for k in np.flatnonzero(errors).tolist():
-            found.append(WireFinding(Trouble.MOTOR_ERROR, f"{self._names[k]}, code {int(errors[k])}"))
+        found += [
+            WireFinding(Trouble.MOTOR_ERROR, f"{self._names[k]}, code {int(errors[k])}")
+            for k in np.flatnonzero(errors).tolist()
+        ]
         return found

@@ -390,12 +390,11 @@ class ControlLoop:
         self.sensing.add(self._sense())
 
     def _sense(self) -> SensedState:
-        readings, estimator = self._robot.read(), self._estimator
+        told, estimator = self._robot.read(), self._estimator
         if self._walker.active:
-            return self._walker.sense(readings)
-        self._walker.stand_by(readings)
-        joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
-        estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
-        return SensedState(
-            readings, partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
-        )
+            return self._walker.sense(told)
+        self._walker.stand_by(told)
+        joints_rad, foot_wrench = told.q[: self._bodies], told.foot_wrench
+        estimator.update(told.stamp_s, joints_rad, told.gyro, told.accelerometer, foot_wrench)
+        configured = partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
+        return SensedState(told, configured)

@@ -8,7 +8,15 @@ pytest.importorskip("cyclonedds")
 from cyclonedds.idl import IdlStruct
 
 from robots.unitree.layout import LOW_COMMAND, LOW_STATE, MOTORS, from_wire, seal
-from robots.unitree.messages import ImuState, LowCommand, LowState, MotorCommand, MotorState, carried, carrying
+from robots.unitree.messages import (
+    ImuState,
+    LowCommand,
+    LowState,
+    MotorCommand,
+    MotorState,
+    carried,
+    carrying,
+)
 
 
 def numbers(seed, count):
@@ -21,9 +29,7 @@ def a_command():
 
 
 def a_state():
-    motors = [
-        MotorState(1, *numbers(k, 4), [k, -k], 48.0, [k, 2], k, [5, 6, 7, 8]) for k in range(MOTORS)
-    ]
+    motors = [MotorState(1, *numbers(k, 4), [k, -k], 48.0, [k, 2], k, [5, 6, 7, 8]) for k in range(MOTORS)]
     imu = ImuState(numbers(1, 4), numbers(2, 3), numbers(3, 3), numbers(4, 3), 41)
     return LowState([1, 2], 0, 5, 77, imu, motors, list(range(40)), [9, 8, 7, 6], 123)
 

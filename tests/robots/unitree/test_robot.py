@@ -93,7 +93,7 @@ def test_after_a_silence_the_motors_are_taken_up_where_they_are_without_a_jump(w
 
     run(body, wire, setpoint(), 80, q=-0.4)
 
-    went = [message for message in wire.sent[before + 1 :]]
+    went = wire.sent[before + 1 :]
     q = np.array([message["motor"]["q"][:29] for message in went])
     assert q[0] == pytest.approx(-0.4, abs=0.002)
     assert np.abs(np.diff(q, axis=0)).max() < 0.02
