@@ -1,4 +1,8 @@
-"""What was guessed about a robot, line by line, for a person to look through."""
+"""What was guessed about a robot, line by line, for a person to look through.
+
+A guess is whatever the URDF does not tell: a value that was measured on its shapes, drawn, or borrowed from
+another robot. The list stands beside the description, where the value itself is mended.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +25,11 @@ class Guess:
 
 
 class Guesses:
-    """All of one robot."""
+    """All of one robot.
+
+    Attributes:
+        all: In the order in which they were made.
+    """
 
     def __init__(self) -> None:
         self.all: list[Guess] = []
