@@ -2,6 +2,7 @@
 
 RobotsError
 ├── UnknownRobotError       no folder of that name under robots/models
+├── UnknownRobotFolderError  a path that leads to no folder with a robot's data
 ├── DescriptionError        a robot's data that is missing or contradicts its URDF
 ├── SceneError              a scene file that cannot be a world: file, key and reason
 ├── CannotImportError       a mesh or scene of somebody else that nothing can be made of
@@ -27,6 +28,16 @@ class UnknownRobotError(RobotsError):
         close = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
         hint = f"; the nearest is {close[0]!r}" if close else ""
         super().__init__(f"no robot {name!r}{hint}")
+
+
+class UnknownRobotFolderError(RobotsError):
+    """A robot named by a path that leads to no folder with a robot's data."""
+
+    def __init__(self, path: str, file: str) -> None:
+        super().__init__(
+            f"no robot in {path!r}: expected a folder with a {file}; "
+            "python -m tools.robot_data new URDF drafts one"
+        )
 
 
 class DescriptionError(RobotsError):

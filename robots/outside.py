@@ -15,16 +15,20 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.resources
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources.abc import Traversable
+from pathlib import Path
 from types import MappingProxyType
 
 SCENES = "humanoid_executive.scenes"
 """Each names a package with scenes, ``<name>.toml``."""
 ROBOTS = "humanoid_executive.robots"
 """Each names a package with a robot's ``description.toml``; the robot is called as the entry point is."""
+BODIES = "humanoid_executive.bodies"
+"""Each names a function that attaches a body: ``robots.interface.bodies.AttachBody``."""
 VOCABULARY = "humanoid_executive.vocabulary"
 """Each names a package with word lists, ``*.toml``, in the form of a user's configuration."""
 
@@ -79,6 +83,26 @@ def robot_folders() -> Mapping[str, Traversable]:
     here = {item.name: item for item in importlib.resources.files("robots.models").iterdir()}
     folders = {**outside_folders(ROBOTS).folders, **here}
     return {name: item for name, item in folders.items() if (item / DESCRIPTION).is_file()}
+
+
+def robot_folder(name: str) -> Traversable | None:
+    """The folder of data of a robot.
+
+    Args:
+        name: Of one that is known, or the path of a folder with a description, anywhere.
+
+    Returns:
+        None when there is none.
+    """
+    if is_path(name):
+        folder = Path(name).expanduser().resolve()
+        return folder if (folder / DESCRIPTION).is_file() else None
+    return robot_folders().get(name)
+
+
+def is_path(name: str) -> bool:
+    """Whether a robot is named by the path of its folder: it has a separator, or begins with a dot."""
+    return "/" in name or os.sep in name or name.startswith(".")
 
 
 def known_robots() -> list[str]:

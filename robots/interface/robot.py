@@ -25,8 +25,13 @@ class RobotState(InFloat64):
         gyro: Angular velocity of the IMU in its own frame, rad/s, shape (3,).
         accelerometer: Specific force in the IMU's frame, m/s^2, shape (3,) (rest: gravity upwards).
         foot_wrench: Force and torque of the ground on each sole in the sole's frame (N, Nm), shape
-            (feet, 6), in the order of ``RobotDescription.soles``.
+            (feet, 6), in the order of ``RobotDescription.soles``; shape (0, 6) of a robot that feels none.
         battery: Share of the charge that is left, 0 to 1.
+        age_s: How old the readings are; 0 where they are of this period.
+        temperature_c: Of each motor, shape (n,); None where nobody measures it.
+        motor_error: The code that each motor tells, shape (n,), 0 for none; None where they tell nothing.
+        alarm: Why the body asks for its emergency stop: a button on it, a wire that fails; empty when it does
+            not.
 
     Raises:
         InvalidArrayError: A reading holds no real numbers; numbers of another type are converted.
@@ -40,6 +45,10 @@ class RobotState(InFloat64):
     accelerometer: Array
     foot_wrench: Array
     battery: float = 1.0
+    age_s: float = 0.0
+    temperature_c: Array | None = None
+    motor_error: Array | None = None
+    alarm: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,9 +21,10 @@ from kinematics.model.robot_description import (
     JointLimits,
     RobotDescription,
 )
-from robots.errors import DescriptionError, UnknownRobotError
+from robots.errors import DescriptionError, UnknownRobotError, UnknownRobotFolderError
 from robots.interface.hardware import RobotData
 from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
+from robots.models.fitted_urdf import bound_joints, forget_capsules, with_joints_held, without_world
 from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
 from robots.models.urdf import (
@@ -35,7 +36,7 @@ from robots.models.urdf import (
     read_urdf,
     with_fixed_joints,
 )
-from robots.outside import DESCRIPTION, known_robots, robot_folders
+from robots.outside import DESCRIPTION, is_path, known_robots, robot_folder
 from robots.strict_table import read_table
 from robots.toml_text import TomlTextError, read_toml
 
@@ -61,7 +62,9 @@ def load_robot(name: str) -> RobotData:
         UnknownRobotError: There is no robot of that name.
         DescriptionError: Its data contradict the URDF, or the URDF's package is not installed.
     """
-    folder = robot_folders().get(name)
+    folder = robot_folder(name)
+    if folder is None and is_path(name):
+        raise UnknownRobotFolderError(name, DESCRIPTION)
     if folder is None:
         raise UnknownRobotError(name, known_robots())
 
@@ -71,7 +74,7 @@ def load_robot(name: str) -> RobotData:
     try:
         data = read_toml((folder / DESCRIPTION).read_text("utf-8"))
         document = read_table(DescriptionDocument, data, fail)
-        description = _describe(name, document, folder)
+        description = _describe(_told_name(name), document, folder)
         return RobotData(description, hardware_of(document, description))
     except KeyError as missing:
         raise DescriptionError(f"robot {name!r}: the URDF lacks {missing}") from missing
@@ -79,6 +82,11 @@ def load_robot(name: str) -> RobotData:
         raise DescriptionError(f"robot {name!r}: {DESCRIPTION} is no TOML: {broken}") from broken
     except DescriptionError as wrong:
         raise DescriptionError(f"robot {name!r}: {wrong}") from wrong
+
+
+def _told_name(name: str) -> str:
+    """What a robot is called that was named so: of a path, the folder."""
+    return Path(name).expanduser().resolve().name if is_path(name) else name
 
 
 def load_robot_for_tasks(name: str) -> RobotData:
@@ -99,8 +107,12 @@ def load_robot_for_tasks(name: str) -> RobotData:
 
 def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> RobotDescription:
     source, body, gains = document.source, document.body, document.gains
-    root = _model_root(source)
-    urdf = read_urdf(root / source.urdf, root)
+    root = _model_root(source, folder)
+    urdf = with_joints_held(read_urdf(root / source.urdf, root), document.held)
+    without_world(urdf)
+    bound_joints(urdf, document.limits.position)
+    if source.capsules_as_cylinders:
+        forget_capsules(urdf)
     grippers = _grippers(document.gripper, urdf)
     tcp_frames = _add_tcps(urdf, document)
     for frame in document.frame:
@@ -186,7 +198,10 @@ def _check_posture(what: str, joints: Mapping[str, float], description: RobotDes
             raise DescriptionError(f"{what}: {joint} at {at:g} is outside {low:g} to {high:g} rad")
 
 
-def _model_root(source: SourceTable) -> Path:
+def _model_root(source: SourceTable, folder: Traversable) -> Path:
+    """Where the paths of the URDF begin: in a package's files, or in the robot's own folder."""
+    if source.distribution is None:
+        return Path(str(folder), source.root).resolve()
     try:
         distribution = importlib.metadata.distribution(source.distribution)
     except importlib.metadata.PackageNotFoundError as missing:
@@ -258,16 +273,16 @@ def _limits(
     limits = {}
     for name in actuated:
         element = elements[name].find("limit")
-        if element is None:
-            raise DescriptionError(f"joint {name!r} has no limits in the URDF")
+        if element is None or "lower" not in element.attrib:
+            raise DescriptionError(f"joint {name!r} has no limits in the URDF, and [limits.position] none")
         kind = document.gains.kind_of(name)
         lower, upper = (float(element.attrib["lower"]), float(element.attrib["upper"]))
         limits[name] = JointLimits(
             position=table.position.get(name, (lower, upper)),
-            velocity=float(element.attrib["velocity"]),
+            velocity=table.velocity.get(kind, float(element.get("velocity", "0"))),
             acceleration=by_kind(table.acceleration, kind, "limits.acceleration"),
             jerk=by_kind(table.jerk, kind, "limits.jerk"),
-            effort=table.effort.get(kind, float(element.attrib["effort"])),
+            effort=table.effort.get(kind, float(element.get("effort", "0"))),
         )
     return limits
 

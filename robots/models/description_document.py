@@ -31,11 +31,12 @@ def _pattern(text: str) -> str:
 class SourceTable(StrictTable):
     """``[source]``: whose URDF it is."""
 
-    distribution: Text
-    root: Text
+    distribution: Text | None = None
+    root: Text = "."
     urdf: Text
     srdf: Text | None = None
     srdf_posture: Text | None = None
+    capsules_as_cylinders: bool = False
 
 
 class BodyTable(StrictTable):
@@ -56,6 +57,7 @@ class LimitsTable(StrictTable):
     com_margin_m: FiniteFloat | None = None
     acceleration: Numbers
     jerk: Numbers
+    velocity: Numbers = Field(default_factory=dict)
     effort: Numbers = Field(default_factory=dict)
     contact: Numbers = Field(default_factory=dict)
     position: dict[str, Pair] = Field(default_factory=dict)
@@ -184,6 +186,7 @@ class CollisionTable(PlaceTable):
     link: Text
     size_m: Triple
     drawn: bool = False
+    instead: bool = False
 
 
 class FrictionTable(StrictTable):
@@ -199,6 +202,7 @@ class DescriptionDocument(StrictTable):
     body: BodyTable
     groups: dict[str, list[Text]]
     home: Numbers
+    held: Numbers = Field(default_factory=dict)
     limits: LimitsTable
     gains: GainsTable
     gripper: GripperTable | None = None

@@ -24,10 +24,25 @@ def read_urdf(path: Path, root: Path) -> ElementTree.Element:
 
     Args:
         path: The file.
-        root: Folder that its mesh paths begin at; they become absolute.
+        root: Folder that its mesh paths begin at, ``package://`` that of the package's name in it; they
+            become absolute. Other paths begin at the file.
+
+    Raises:
+        DescriptionError: There is no such file, or it is no URDF.
     """
+    if not path.is_file():
+        raise DescriptionError(f"[source] urdf: there is no {path}")
     text = re.sub(r"package:///?example-robot-data/robots/", f"{root}/", path.read_text("utf-8"))
-    urdf = ElementTree.fromstring(text)
+    try:
+        urdf = ElementTree.fromstring(text)
+    except ElementTree.ParseError as broken:
+        raise DescriptionError(f"[source] urdf: {path} is no URDF: {broken}") from broken
+    for mesh in urdf.iter("mesh"):
+        name = mesh.get("filename", "")
+        if name.startswith("package://"):
+            mesh.set("filename", f"{root}/{name.removeprefix('package://').lstrip('/')}")
+        elif name and not name.startswith("/"):
+            mesh.set("filename", str((path.parent / name.removeprefix("file://")).resolve()))
     for tag in ("gazebo", "transmission"):
         for element in urdf.findall(tag):
             urdf.remove(element)
@@ -46,7 +61,7 @@ def add_frame(urdf: ElementTree.Element, name: str, link: str, place: Table) -> 
 def add_collision_box(urdf: ElementTree.Element, link: str, place: Table) -> None:
     """Give a link one more collision shape: a box of ``size_m`` at ``xyz`` and ``rpy``.
 
-    With ``drawn`` it is to be seen as well.
+    With ``drawn`` it is to be seen as well; with ``instead`` it takes the place of the link's own shapes.
 
     Raises:
         DescriptionError: There is no such link.
@@ -54,6 +69,9 @@ def add_collision_box(urdf: ElementTree.Element, link: str, place: Table) -> Non
     element = next((item for item in urdf.findall("link") if item.get("name") == link), None)
     if element is None:
         raise DescriptionError(f"the URDF has no link {link!r} for a collision box")
+    if place.get("instead"):
+        for shape in element.findall("collision"):
+            element.remove(shape)
     for part in ("collision", "visual") if place.get("drawn") else ("collision",):
         shape = ElementTree.SubElement(element, part)
         _add_origin(shape, place)

@@ -22,7 +22,7 @@ HEAVY = {
     "typer": ("executive",),
     "rich": ("executive", "tools"),
     "cv2": ("robots.perception.rgbd", "robots.perception.labels", "robots.simulated.camera", "tools"),
-    "cyclonedds": ("executive.doors.ros", "tools"),
+    "cyclonedds": ("executive.doors.ros", "robots.unitree", "tools"),
     "mcp": ("executive.doors.mcp", "tools.evaluate.mcp"),
     "uvicorn": ("executive.doors.mcp",),
     "openai": ("executive.doors.model",),

@@ -24,6 +24,8 @@ SAMPLES = 20_000
 # Pairs that are nearer than planning allows in more of the configurations than this are built so.
 PLANNING_M = 0.005
 BY_DESIGN = 0.9
+CLOSE = 3
+"""Joints between the links of a pair that may be built into one another without touching always."""
 
 Pair = tuple[str, str]
 
@@ -37,13 +39,15 @@ class DisabledPairs:
     never: tuple[Pair, ...]
 
 
-def find(model: RobotModel, samples: int, seed: int) -> DisabledPairs:
+def find(model: RobotModel, samples: int, seed: int, close_share: float = BY_DESIGN) -> DisabledPairs:
     """Sort a robot's pairs of links.
 
     Args:
         model: The robot; pairs that its data disable already are not looked at.
         samples: Random configurations, over the whole range of every joint.
         seed: Of the configurations.
+        close_share: Pairs with few joints between them that touch in more of the configurations than this
+            count as built so. A chain of links whose hulls are fat takes less than the usual share.
     """
     geometry = model.geometry()
     pairs: dict[Pair, tuple[int, int]] = {}
@@ -54,7 +58,11 @@ def find(model: RobotModel, samples: int, seed: int) -> DisabledPairs:
     adjacent = {pair for pair, bodies in pairs.items() if _adjacent(model, *bodies)}
     fewer = max(1, samples // 10)
     touching = _counts(model, geometry, PLANNING_M, fewer, seed)
-    by_design = {pair for pair, count in touching.items() if count > BY_DESIGN * fewer} - adjacent
+    by_design = {
+        pair
+        for pair, count in touching.items()
+        if count > (close_share if _between(model, *pairs[pair]) <= CLOSE else BY_DESIGN) * fewer
+    } - adjacent
     near = _counts(model, geometry, APART_M, samples, seed)
     never = {pair for pair, count in near.items() if count == 0} - adjacent
     return DisabledPairs(tuple(sorted(adjacent)), tuple(sorted(by_design)), tuple(sorted(never)))
@@ -64,6 +72,8 @@ def _counts(
     model: RobotModel, geometry: pin.GeometryModel, margin_m: float, samples: int, seed: int
 ) -> dict[Pair, int]:
     """In how many random configurations each pair of links is nearer than a margin."""
+    if not geometry.collisionPairs:
+        return {}
     data, placed = model.pin.createData(), geometry.createData()
     for request in placed.collisionRequests:
         request.security_margin = margin_m
@@ -88,7 +98,18 @@ def _adjacent(model: RobotModel, first: int, second: int) -> bool:
     return first == second or int(parents[first]) == second or int(parents[second]) == first
 
 
-def _text(found: DisabledPairs, robot: str, samples: int, seed: int) -> str:
+def _between(model: RobotModel, first: int, second: int) -> int:
+    """How many joints are between two bodies; very many when they are on different branches."""
+    low, high = sorted((first, second))
+    for count in range(CLOSE + 1):
+        if high == low:
+            return count
+        high = int(model.pin.parents[high])
+    return CLOSE + 1
+
+
+def pairs_text(found: DisabledPairs, robot: str, samples: int, seed: int) -> str:
+    """The list as a file, with the command that made it."""
     lines = [
         "# Pairs of links that are not judged against each other. Made by",
         f"# python -m tools.robot_data.disabled_collisions {robot} --samples {samples} --seed {seed}",
@@ -115,7 +136,7 @@ def main() -> None:
     chosen = parser.parse_args()
     description = replace(load_description(chosen.robot), disabled_collisions=frozenset())
     found = find(RobotModel(description), chosen.samples, chosen.seed)
-    print(_text(found, chosen.robot, chosen.samples, chosen.seed))
+    print(pairs_text(found, chosen.robot, chosen.samples, chosen.seed))
 
 
 if __name__ == "__main__":

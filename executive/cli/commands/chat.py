@@ -21,8 +21,8 @@ from executive.cli.commands.choices import (
     PolicyOption,
     ServedPaceOption,
     YesOption,
-    not_empty,
     options_of,
+    robot_name,
     scene_given,
     whole_number_from,
 )
@@ -43,7 +43,10 @@ _HISTORY = "chat_history"
 
 def chat(
     robot: Annotated[
-        str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT, callback=not_empty)
+        str | None,
+        typer.Option(
+            help="Name of the robot, or its folder.", show_default=DEFAULT_ROBOT, callback=robot_name
+        ),
     ] = None,
     scene: Annotated[
         str | None,

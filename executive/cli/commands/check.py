@@ -18,8 +18,8 @@ from executive.cli.commands.choices import (
     PolicyChoice,
     PolicyOption,
     YesOption,
-    not_empty,
     number_from,
+    robot_name,
     scene_given,
     whole_number_from,
 )
@@ -36,7 +36,9 @@ def check(
     robot: Annotated[
         str | None,
         typer.Option(
-            help="Name of the robot.", show_default=f"{DEFAULT_ROBOT}, or the file's", callback=not_empty
+            help="Name of the robot, or its folder.",
+            show_default=f"{DEFAULT_ROBOT}, or the file's",
+            callback=robot_name,
         ),
     ] = None,
     scene: Annotated[

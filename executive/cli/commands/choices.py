@@ -67,6 +67,16 @@ def not_empty(name: str | None) -> str | None:
     return name
 
 
+def robot_name(name: str | None) -> str | None:
+    """A robot's name as it was given; the path of a folder is made absolute, for who opens it elsewhere."""
+    not_empty(name)
+    if name is None:
+        return None
+    from robots.outside import is_path
+
+    return str(Path(name).expanduser().resolve()) if is_path(name) else name
+
+
 REAL_PACE = 1.0
 _PACES = {"real": REAL_PACE, "fast": 10.0}
 _SLOWEST, _FASTEST = 0.01, 10.0

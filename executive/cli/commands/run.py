@@ -32,8 +32,8 @@ from executive.cli.commands.choices import (
     ViewOption,
     ViewPortOption,
     YesOption,
-    not_empty,
     options_of,
+    robot_name,
     scene_given,
     whole_number_from,
 )
@@ -53,7 +53,10 @@ if TYPE_CHECKING:
 def run(
     text: Annotated[str, typer.Argument(metavar="SENTENCE|JSON|SCRIPT.toml", help="What to do.")],
     robot: Annotated[
-        str | None, typer.Option(help="Name of the robot.", show_default=DEFAULT_ROBOT, callback=not_empty)
+        str | None,
+        typer.Option(
+            help="Name of the robot, or its folder.", show_default=DEFAULT_ROBOT, callback=robot_name
+        ),
     ] = None,
     scene: Annotated[
         str | None,

@@ -31,7 +31,7 @@ from executive.cli.commands.choices import (
     ViewOption,
     ViewPortOption,
     YesOption,
-    not_empty,
+    robot_name,
     scene_given,
     whole_number_from,
 )
@@ -47,7 +47,9 @@ from executive.trust import THRESHOLD, Trust
 
 
 def serve(
-    robot: Annotated[str, typer.Option(help="Name of the robot.", callback=not_empty)] = DEFAULT_ROBOT,
+    robot: Annotated[
+        str, typer.Option(help="Name of the robot, or its folder.", callback=robot_name)
+    ] = DEFAULT_ROBOT,
     scene: Annotated[
         str, typer.Option(metavar="NAME|FILE.toml|FILE.xml", help="Where.", callback=scene_given)
     ] = DEFAULT_SCENE,

@@ -266,6 +266,8 @@ class ControlLoop:
 
     def _command(self) -> None:
         state = self.sensing.state().readings
+        if state.alarm:
+            self.emergency_stop(state.alarm)
         if self._limp:
             self._gate.go_limp(state.q, state.v)
             return
@@ -346,11 +348,10 @@ class ControlLoop:
     def _look_after_health(self) -> None:
         finding = self._safeguards.look(self.sensing.state(), self._gate.last, self._walker.active)
         if finding is not None:
-            reason = str(finding)
-            self._record.stop(1, reason)
             easing = finding.part if finding.weakens(self._legs) else None
-            self._streamer.stop(reason, along_path=True, easing=easing)
-            self._walker.stop(reason)
+            self._record.stop(1, str(finding))
+            self._streamer.stop(str(finding), along_path=True, easing=easing)
+            self._walker.stop(str(finding))
 
     def _give_up(self, reason: str) -> None:
         """End all motions where the robot is; it was told already to stay there."""
@@ -389,12 +390,11 @@ class ControlLoop:
         self.sensing.add(self._sense())
 
     def _sense(self) -> SensedState:
-        readings, estimator = self._robot.read(), self._estimator
+        told, estimator = self._robot.read(), self._estimator
         if self._walker.active:
-            return self._walker.sense(readings)
-        self._walker.stand_by(readings)
-        joints_rad, foot_wrench = readings.q[: self._bodies], readings.foot_wrench
-        estimator.update(readings.stamp_s, joints_rad, readings.gyro, readings.accelerometer, foot_wrench)
-        return SensedState(
-            readings, partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
-        )
+            return self._walker.sense(told)
+        self._walker.stand_by(told)
+        joints_rad, foot_wrench = told.q[: self._bodies], told.foot_wrench
+        estimator.update(told.stamp_s, joints_rad, told.gyro, told.accelerometer, foot_wrench)
+        configured = partial(estimator.configuration, joints_rad, foot_wrench, estimator.tilt_rad)
+        return SensedState(told, configured)

@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ElementTree
 
 import mujoco
 
+from kinematics.geometry.mesh_hull import hull_corners
 from kinematics.model.robot_description import GripperDescription, RobotDescription, SoleDescription
 from robots.errors import DescriptionError
 from robots.interface.hardware import RobotData
@@ -19,6 +20,7 @@ from robots.simulated.body.geom_roles import (
     UNSEEN_GROUP,
     Role,
 )
+from robots.simulated.body.mended_masses import mend_masses
 
 ROOT_JOINT = "root"
 GRIPPER_DAMPING = 0.02
@@ -42,7 +44,7 @@ MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
 IMU_SENSORS = {"gyro": mujoco.mjtSensor.mjSENS_GYRO, "accelerometer": mujoco.mjtSensor.mjSENS_ACCELEROMETER}
 """In the order in which they are read."""
 _UNREAD = ".dae"
-"""Drawings of this kind MuJoCo does not read."""
+"""Meshes of this kind MuJoCo does not read."""
 
 
 def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
@@ -69,7 +71,9 @@ def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
     )
     urdf.insert(0, options)
     _draw_by_hulls(urdf)
+    mend_masses(urdf)
     spec = mujoco.MjSpec.from_string(ElementTree.tostring(urdf, encoding="unicode"))
+    _read_hulls(spec)
     if not description.welded:
         body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
     _assign_roles(spec, description)
@@ -96,6 +100,15 @@ def _draw_by_hulls(urdf: ElementTree.Element) -> None:
             for hull in link.findall("collision"):
                 drawn = ElementTree.SubElement(link, "visual")
                 drawn.extend(copy.deepcopy(list(hull)))
+
+
+def _read_hulls(spec: mujoco.MjSpec) -> None:
+    """Give the meshes that MuJoCo cannot read the hulls that planner and checker go by."""
+    for mesh in spec.meshes:
+        if mesh.file.lower().endswith(_UNREAD):
+            mesh.uservert = hull_corners(mesh.file).ravel()
+            mesh.file = ""
+            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
 
 
 def _drawing(visual: ElementTree.Element) -> str:
@@ -140,7 +153,8 @@ def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     fingers = frozenset[str]().union(*(finger_links(item) for item in description.grippers.values()))
     grippers = frozenset(link for item in description.grippers.values() for link in item.links)
     soles = {sole.link for sole in description.soles}
-    head = _rigidly_with(spec, description.camera.frame)
+    camera = description.head_camera
+    head = frozenset() if camera is None else _rigidly_with(spec, camera.frame)
     for geom in spec.geoms:
         link = geom.parent.name
         if not geom.contype:

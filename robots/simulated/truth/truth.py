@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -81,9 +82,8 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for control in piece.controls
         )
-        self._camera_body = physics.body_id(physics.description.camera.frame)
         self._tcp_body = {
-            hand: physics.body_id(item.tcp_frame) for hand, item in physics.description.grippers.items()
+            hand: physics.body_id(frame) for hand, frame in physics.description.tcp_frames.items()
         }
         self._ray_groups = np.zeros(6, dtype=np.uint8)
         self._ray_groups[[WORLD_GROUP, HULL_GROUP, FINGER_DRAWN_GROUP]] = 1
@@ -132,6 +132,11 @@ class SimulatorTruth:
     def world_T_camera(self) -> Transform:
         """Pose of the camera's optical frame, shape (4, 4)."""
         return self._pose(self._camera_body)
+
+    @cached_property
+    def _camera_body(self) -> int:
+        """MuJoCo's index of the camera's frame; MissingPartError for a robot that has no camera."""
+        return self._physics.body_id(self._physics.description.camera.frame)
 
     def visible(self, name: str, points: Array) -> NDArray[np.bool_]:
         """Tell for each world point, shape (n, 3), on a solid whether a ray from the camera meets
@@ -281,7 +286,9 @@ class SimulatorTruth:
         return np.concatenate(corners) if corners else np.zeros((0, 2))
 
     def fallen(self) -> bool:
-        """Tell whether the robot lies or is falling: base low or tilted far."""
+        """Tell whether the robot lies or is falling: base low or tilted far. A welded one cannot fall."""
+        if self._physics.description.welded:
+            return False
         world_T_base = self.world_T_base()
         low = world_T_base[2, 3] < FALLEN_HEIGHT * self._start_height_m
         return bool(low or world_T_base[2, 2] < math.cos(FALLEN_TILT_RAD))

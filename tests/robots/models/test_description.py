@@ -145,7 +145,7 @@ def test_data_that_contradict_themselves_are_refused(changes, says):
 def changed(tmp_path, monkeypatch):
     """Loads TALOS with one line of its description written otherwise."""
     text = (importlib.resources.files("robots.models") / "talos" / "description.toml").read_text("utf-8")
-    monkeypatch.setattr(reader, "robot_folders", lambda: {"mine": tmp_path})
+    monkeypatch.setattr(reader, "robot_folder", lambda _name: tmp_path)
 
     def load(line, instead):
         assert line in text

@@ -8,7 +8,7 @@ import pytest
 
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import DISABLED_COLLISIONS, load_description
-from tools.robot_data.disabled_collisions import _text, find
+from tools.robot_data.disabled_collisions import find, pairs_text
 
 
 def undisabled(name):
@@ -49,7 +49,7 @@ def test_hands_and_what_they_can_hit_stay_judged(g1_stored):
 
 
 def test_what_is_printed_can_be_read_back(g1_anew):
-    read = tomllib.loads(_text(g1_anew, "g1", 200, 77))
+    read = tomllib.loads(pairs_text(g1_anew, "g1", 200, 77))
 
     assert [tuple(pair) for pair in read["never"]] == list(g1_anew.never)
     assert set(read) == {"adjacent", "by_design", "never"}

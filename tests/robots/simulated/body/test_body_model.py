@@ -1,16 +1,21 @@
 """The robot's body in the simulator: what touches what, and with which limits."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
+from kinematics.errors import MissingPartError
 from kinematics.geometry import poses
 from kinematics.model.robot_description import HANDS
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
+from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from robots.simulated.body.body_model import sole_name
 from robots.simulated.body.geom_roles import Role
 from robots.simulated.body.physics import Physics
+from robots.simulated.world import build_world
 
 HARDWARE = load_robot("talos").hardware
 
@@ -123,3 +128,13 @@ def test_the_home_posture_touches_nothing_but_the_floor(physics):
     assert {physics.geom_label[geom] for pair in physics.data.contact.geom for geom in pair} <= {
         "floor", "leg_left_6_link", "leg_right_6_link", "table/top", "red cup", "blue box",
     }  # fmt: skip
+
+
+def test_a_robot_without_eyes_is_simulated_and_says_so_when_one_asks_for_its_camera():
+    robot = load_robot("g1")
+    blind = RobotData(dataclasses.replace(robot.description, head_camera=None), robot.hardware)
+
+    world = build_world(blind, SceneDescription("empty"), np.random.default_rng(0), drawn=False)
+
+    with pytest.raises(MissingPartError, match="g1 has no camera"):
+        world.truth.world_T_camera()

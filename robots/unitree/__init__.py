@@ -1,0 +1,1 @@
+"""A humanoid of Unitree over its low-level interface: joints commanded and sensed by messages on the wire."""

@@ -1,0 +1,1 @@
+"""The other side of Unitree's low-level interface, for trying what speaks it."""
