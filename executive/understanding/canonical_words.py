@@ -14,6 +14,7 @@ from executive.language.commands.moving import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
 from executive.vocabulary import Vocabulary, load_vocabulary
+from executive.vocabulary.of_place import vocabulary_of_place
 from executive.vocabulary.place_words import PlaceWords, place_words
 from robots.scenes.scene_words import nearest_word
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
@@ -178,4 +179,4 @@ def vocabulary() -> Vocabulary:
 
 @lru_cache(maxsize=4)
 def _vocabulary(place: PlaceWords) -> Vocabulary:
-    return load_vocabulary((), cache_directory()).of_place(place.things, place.people)
+    return vocabulary_of_place(load_vocabulary((), cache_directory()), place)

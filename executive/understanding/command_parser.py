@@ -78,7 +78,11 @@ def parser_with(user_files: tuple[Path, ...] = (), place: PlaceWords = NOWHERE) 
         VocabularyError: A file of words is malformed.
     """
     vocabulary = load_vocabulary(user_files, cache_directory())
-    return CommandParser(vocabulary.of_place(place.things, place.people), _rules())
+    if place != NOWHERE:
+        from executive.vocabulary.of_place import vocabulary_of_place  # most sentences are of no place
+
+        vocabulary = vocabulary_of_place(vocabulary, place)
+    return CommandParser(vocabulary, _rules())
 
 
 @lru_cache(maxsize=1)

@@ -11,22 +11,13 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from executive.vocabulary.inflection import plural
 from executive.vocabulary.word_lists import WordClass, read_classes
-from executive.vocabulary.written import split_words
 from robots.kept import kept
 from robots.outside import VOCABULARY, outside_files
 
-__all__ = ["Reading", "Vocabulary", "WordClass", "Words", "load_vocabulary"]
+__all__ = ["Reading", "Vocabulary", "WordClass", "Words", "line_of", "load_vocabulary", "phrases_in"]
 
 Words = tuple[str, ...]
-
-_THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
-"""Word classes of things: what one is called, what several are called, and those with ways of their own."""
-_NAMES = ("NAME", "OWNER")
-"""What a person is called, and what is theirs."""
-_FURNITURE = ("FURNITURE", "FURNITURES")
-"""What one piece is called, and several."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,100 +54,25 @@ class Vocabulary:
         """The vocabulary of some word classes."""
         return cls(*_prepared(classes))
 
-    def of_place(self, things: Sequence[str], people: Sequence[str] = ()) -> Vocabulary:
-        """The same vocabulary, and what the things and the people of a place are called.
+    def with_phrases(self, beginnings: Mapping[str, str], whole: Iterable[Words]) -> Vocabulary:
+        """The same vocabulary, where some words begin other phrases, and some phrases are one thing.
 
         Args:
-            things: As for ``with_things``.
-            people: As for ``with_names``.
+            beginnings, whole: As the vocabulary is made of, for these words alone.
         """
-        known = self.with_things(things) if things else self
-        return known.with_names(people) if people else known
-
-    def with_names(self, names: Sequence[str]) -> Vocabulary:
-        """The same vocabulary, and further names of people; a word that is one is what it was besides.
-
-        Args:
-            names: As they are written: "Will", "Mary-Jane"; several words are one name.
-        """
-        added: dict[str, list[str]] = {}
-        phrases = {name: tuple(word for word, _, _ in split_words(name)) for name in names}
-        for name, words in phrases.items():
-            length, readings = self.match(words)
-            if length == len(words) and any(one.word_class == _NAMES[0] for one in readings):
-                continue
-            for ending, word_class in zip(("", "'s"), _NAMES, strict=True):
-                line = _line(" ".join(words) + ending, word_class, name)
-                added.setdefault(words[0] if len(words) > 1 else words[0] + ending, []).append(line)
-        beginnings = {
-            first: "\n".join(filter(None, (self._beginnings.get(first), *lines)))
-            for first, lines in added.items()
-        }
-        return self._with(beginnings, (phrase for phrase in phrases.values() if len(phrase) > 1))
-
-    def _with(self, beginnings: Mapping[str, str], whole: Iterable[Words]) -> Vocabulary:
-        """The same vocabulary, where some words begin other phrases."""
         both = ChainMap(dict(beginnings), dict(self._beginnings))
         return Vocabulary(list(self._heads.values()), both, (*self._whole, *whole))
 
-    def with_things(self, words: Sequence[str]) -> Vocabulary:
-        """The same vocabulary, and further words for kinds of things.
-
-        A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
-        A phrase of several words is one thing wherever it stands: "macaroni and cheese" is no list of two.
-        Furniture is meant as it is called there: where a bedside table is, a nightstand is one.
-
-        Args:
-            words: Noun phrases in lower case, each as one thing is called.
-        """
-        added: dict[str, list[str]] = {}
-        called: dict[str, str] = {}
-        for word in words:
-            length, readings = self.match(word.split())
-            known = length == len(word.split()) and any(
-                one.word_class in _THINGS and self.refusal(one, word) is None for one in readings
-            )
-            if length == len(word.split()):
-                called |= {one.meaning: word for one in readings if _is_otherwise_called(one, word)}
-            if not known:
-                many = word if word.endswith("s") and not word.endswith("ss") else plural(word)
-                for phrase, word_class in ((word, _THINGS[0]), (many, _THINGS[1])):
-                    added.setdefault(phrase.partition(" ")[0], []).append(_line(phrase, word_class, word))
-        firsts = {*added, *self._first_words_of(called)}
-        beginnings = {first: self._also(first, added.get(first, ()), called) for first in firsts}
-        whole = (tuple(word.split()) for word in words if " " in word)
-        return self._with(beginnings, whole)
-
-    def _first_words_of(self, furniture: Mapping[str, str]) -> Iterator[str]:
-        """With what the phrases for some furniture begin."""
-        if furniture:
-            for name in _FURNITURE:
-                for meaning, phrases in self.classes[name].words.items():
-                    if meaning in furniture:
-                        yield from (phrase.partition(" ")[0] for phrase in phrases)
-
-    def _also(self, first: str, lines: Sequence[str], called: Mapping[str, str]) -> str:
-        """Phrases that begin with a word, with further ones, which take the place of what is refused.
-
-        Args:
-            first: The word.
-            lines: The further ones.
-            called: What furniture is called here, by what it is called elsewhere.
-        """
-        taken = {line.partition("\t")[0] for line in lines}
-        stay = [
-            _line(phrase, name, called.get(meaning, meaning) if name in _FURNITURE else meaning)
-            for phrase, name, meaning in _cut(self._beginnings.get(first, ""))
-            if phrase not in taken or self.refusal(Reading(name, meaning), phrase) is None
-        ]
-        return "\n".join([*stay, *lines])
+    def beginning_with(self, word: str) -> str:
+        """The phrases that begin with a word, one a line; empty where none does."""
+        return self._beginnings.get(word, "")
 
     @cached_property
     def classes(self) -> Mapping[str, WordClass]:
         """The word classes by name."""
         words: dict[str, dict[str, list[str]]] = {name: {} for name in self._heads}
         for phrase, word_class, meaning in itertools.chain.from_iterable(
-            map(_cut, self._beginnings.values())
+            map(phrases_in, self._beginnings.values())
         ):
             words[word_class].setdefault(meaning, []).append(phrase)
         return {
@@ -185,7 +101,7 @@ class Vocabulary:
         if found is not None:
             return found
         readings: dict[Words, list[Reading]] = {}
-        for phrase, word_class, meaning in _cut(self._beginnings.get(word, "")):
+        for phrase, word_class, meaning in phrases_in(self._beginnings.get(word, "")):
             readings.setdefault(tuple(phrase.split(" ")), []).append(Reading(word_class, meaning))
         found = tuple(dict.fromkeys(map(len, readings))), readings
         if readings:  # an unknown word is not kept: there is no end of them
@@ -211,16 +127,12 @@ class Vocabulary:
         return None if refusal is None else refusal.format(word=word, meaning=meaning)
 
 
-def _is_otherwise_called(one: Reading, word: str) -> bool:
-    """Whether furniture is called otherwise by it; "counter" of a kitchen counter is but shorter."""
-    return one.word_class in _FURNITURE and one.meaning not in (word, word.rpartition(" ")[2])
-
-
-def _line(phrase: str, word_class: str, meaning: str) -> str:
+def line_of(phrase: str, word_class: str, meaning: str) -> str:
+    """A phrase with its word class and its meaning, as a vocabulary keeps it."""
     return f"{phrase}\t{word_class}\t{meaning if meaning != phrase else ''}"
 
 
-def _cut(lines: str) -> Iterator[tuple[str, str, str]]:
+def phrases_in(lines: str) -> Iterator[tuple[str, str, str]]:
     """The phrases of some lines, each with its word class and its meaning."""
     for line in lines.split("\n") if lines else ():
         phrase, word_class, meaning = line.split("\t")
@@ -258,6 +170,6 @@ def _prepared(classes: Sequence[WordClass]) -> tuple[list[Sequence[Any]], dict[s
     for one in classes:
         for meaning, phrases in one.words.items():
             for phrase in phrases:
-                line = _line(phrase, one.name, meaning)
+                line = line_of(phrase, one.name, meaning)
                 beginnings.setdefault(phrase.partition(" ")[0], {})[line] = None
     return heads, {first: "\n".join(lines) for first, lines in beginnings.items()}

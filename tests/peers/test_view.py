@@ -36,7 +36,13 @@ class Served:
 
     def __init__(self, folder):
         command = [sys.executable, "-m", "executive", "serve", "--view", "--view-port", str(PORT)]
-        command += ["--scene", "clutter", "--pace", "0.4", "--evaluation"]  # a browser draws on the same cores
+        command += [
+            "--scene",
+            "clutter",
+            "--pace",
+            "0.25",
+            "--evaluation",
+        ]  # a browser draws on the same cores
         command += ["--ordinary", "--folder", str(folder / "live"), "--record", str(folder / "runs")]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         self.robot, self.lines = ServedRobot(folder / "live"), []
