@@ -53,5 +53,5 @@ class Folding:
         path = self._list.value
         if path in self._open:
             self.chosen[path] = not self._open[path]
-            self._list.value = _NONE
+            self._list.value = _NONE  # type: ignore[misc]
             self._turned()
