@@ -81,15 +81,3 @@ def test_an_evaluation_that_cannot_be_begun_is_told_with_its_reason(capsys):
     told = " ".join(capsys.readouterr().err.split())
     assert "exit code 2 of" in told
     assert "'gpsr'" in told
-
-
-@pytest.mark.slow
-@pytest.mark.requirement("U7")
-def test_an_evaluation_that_is_killed_twice_loses_nothing(tmp_path):
-    told = tmp_path / "told.json"
-    asked = ["--suite", "say", "--episodes", "12", "--kills", "2", "--json", str(told)]
-
-    assert main(["survive", "evaluation", *asked, "--seed", "9"]) == 0
-
-    found = json.loads(told.read_text())
-    assert (found["kills"], found["wanted"], found["recorded"]) == (2, 12, 12)

@@ -18,6 +18,7 @@ from rich.console import Console
 from rich.table import Table
 
 from executive.errors import UserError
+from executive.exit_codes import ExitCode
 from tools.evaluate.survival.same_records import Survived, survived
 from tools.evaluate.survival.ways import WAYS, Ordered, run_alone
 
@@ -50,6 +51,9 @@ def main(arguments: Sequence[str]) -> int:
         except UserError as wrong:
             messages.print(f"error: {wrong}", style="bold", markup=False)
             return 2
+        except KeyboardInterrupt as ended:
+            messages.print(str(ended) or "cancelled from the keyboard", markup=False)
+            return ExitCode.CANCELLED
     Console().print(_table(options.what, ordered, count, found))
     if options.json is not None:
         document = {"what": options.what, "suite": options.suite, "kills": count, **asdict(found)}
