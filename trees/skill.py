@@ -55,6 +55,7 @@ class Need(Enum):
     """Something that a robot has to have; the value names it."""
 
     HAND = "a hand that grips"
+    BARS = "a hand that grips handles"
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"

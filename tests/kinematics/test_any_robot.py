@@ -347,12 +347,6 @@ def test_a_small_humanoid_bends_its_legs_to_reach_down(g1, g1_stance):
     assert trajectory.q[-1, 7 + knee] > trajectory.q[0, 7 + knee] + 0.4
 
 
-def test_a_hand_that_cannot_grasp_says_why(g1):
-    assert g1.description.hands == ("left", "right")
-    assert not g1.description.grippers
-    assert "rubber" in g1.description.cannot_grasp
-
-
 @pytest.mark.parametrize("name", ["panda", "g1"])
 def test_a_stored_motion_of_any_robot_is_read_and_judged_like_the_motion_itself(name, panda, g1):
     model = {"panda": panda, "g1": g1}[name]

@@ -10,6 +10,7 @@ from trees.readiness import lacking
 from trees.registry import skill_called
 from trees.skill import Need
 
+NO_BARS = "how fingers that press against a palm take hold of a bar is not known"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -38,11 +39,20 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
         ("talos", "walk_to", []),
         ("talos", "look_at", []),
         ("g1", "walk_to", ["feet; g1 is not known to walk"]),
-        ("g1", "pick", [f"a hand that grips; {RUBBER}"]),
+        ("g1", "pick", []),
+        ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
+        ("panda", "open", []),
     ],
 )
 def test_what_a_robot_lacks_is_told_from_its_data_with_the_reason(robot, action, lacking_parts):
     assert list(lacks(skill_called(action), load_description(robot))) == lacking_parts
+
+
+def test_a_hand_that_cannot_grasp_says_why():
+    robot = replace(load_description("g1"), grippers={}, cannot_grasp=RUBBER)
+
+    assert list(lacks(skill_called("pick"), robot)) == [f"a hand that grips; {RUBBER}"]
+    assert list(lacks(skill_called("open"), robot)) == [f"a hand that grips; {RUBBER}"]
 
 
 def test_who_only_speaks_needs_nothing(stage):

@@ -85,7 +85,7 @@ class ControlLoop:
         standing = StandingRobot.of(model, stance_at(model, q))
         authority = Authority(model.description.actuated)
         keepers = {hand: GripKeeper(data, hand, start_rad, period_s) for hand, start_rad in fingers.items()}
-        actuated = np.concatenate([q[7:], list(fingers.values())])
+        actuated = np.concatenate([q[7:], *(keeper.joints_at for keeper in keepers.values())])
         self._balance = Balance(standing)
         self._sway = SwayDamping(data, period_s)
         self._estimator = base_estimate(standing)

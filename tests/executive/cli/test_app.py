@@ -80,7 +80,6 @@ def test_what_is_not_understood_moves_nothing_and_says_why(executive, text, code
     ("options", "says"),
     [
         (["--robot", "tallos"], "the nearest is 'talos'"),
-        (["--robot", "g1"], "g1' can plan but not carry out tasks yet"),
         (["--scene", "tabeltop"], "tabletop"),
         (["--scene", "none.toml"], "none.toml"),
         (["--report", "/nowhere/at/all/report.json"], "cannot write"),

@@ -100,6 +100,22 @@ BENCH = Workspace(
     most_people=0,
 )
 """Before an arm that is bolted to a pedestal as high as a table (the scenes named bench)."""
+LOW = Workspace(
+    table_height_m=(0.66, 0.76),
+    edge_ahead_m=(0.275, 0.29),
+    table_depth_m=(0.4, 0.6),
+    table_width_m=(0.9, 1.3),
+    room_at_edge_m=0.05,
+    deepest_m=0.12,
+    aside_m=0.30,
+    farthest_m=0.45,
+    radius_m=(0.02, 0.038),
+    box_m=((0.04, 0.04, 0.10), (0.06, 0.07, 0.16)),
+    container_ahead_m=(0.16, 0.26),
+    container_aside_m=0.25,
+    most_people=0,
+)
+"""Before a humanoid of a child's size, whose eyes look down (the scene named low_tabletop)."""
 
 
 def start(rng: np.random.Generator) -> RobotStart:
