@@ -43,6 +43,8 @@ COM_WEIGHT = 1.0
 POSTURE_WEIGHT = 1e-3
 TRUNK_WEIGHT = 0.05
 REGULARISATION = 1e-5
+# Who reaches far is at the limits of the trunk, and curves through a few solved points swing beyond them.
+SWING_RESERVE_RAD = 0.03
 STEP_S = 0.01
 
 
@@ -65,7 +67,7 @@ class PlacoIk:
         if hand not in description.tcp_frames:
             raise MissingPartError(description.name, f"{hand} hand")
         self._frame = description.tcp_frames[hand]
-        margin = description.planning_margin_rad
+        margin = description.planning_margin_rad + (0.0 if description.welded else SWING_RESERVE_RAD)
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
         self._robot = placo.RobotWrapper(
             "", int(placo.Flags.ignore_collisions), without_meshes(description.planning_urdf)

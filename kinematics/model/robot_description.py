@@ -94,6 +94,8 @@ class GripperDescription:
         beside_palm_m: What a thing is away from that palm when the fingers begin to close.
         held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
             in width; empty of all others.
+        side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
+            fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
     """
@@ -126,6 +128,7 @@ class GripperDescription:
     palm_side_m: float | None = None
     beside_palm_m: float = 0.0
     held_table: tuple[tuple[float, float], ...] = ()
+    side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     cannot_grip_bars: str = ""
 

@@ -315,7 +315,7 @@ def _reach_in(
     From the side at the wanted share ``at`` of the height; from above as deep as palm and overlap
     want, measured along the approach; in between the blend by the tilt's sine.
     """
-    side = at * height
+    side = min(at * height, 0.5 * height - gripper.side_overlap_m)
     deepest = gripper.palm_distance_m - gripper.palm_gap_m
     least = gripper.pad_overlap_m
     overlap = max(least, min(0.45 * height, height - gripper.tip_gap_m))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.resources
+import math
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
 from importlib.resources.abc import Traversable
@@ -363,6 +364,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         palm_side_m=None if table.palm_side_m is None else mirror * table.palm_side_m,
         beside_palm_m=table.beside_palm_m,
         held_table=tuple((width, mirror * at) for width, at in table.held_table),
+        side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
         cannot_grip_bars=table.cannot_grip_bars,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",

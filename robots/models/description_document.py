@@ -182,6 +182,7 @@ class GripperTable(StrictTable):
     palm_side_m: FiniteFloat | None = None
     beside_palm_m: FiniteFloat = 0.0
     held_table: list[Pair] = Field(default_factory=list)
+    side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     cannot_grip_bars: str = ""
     deadband_rad: FiniteFloat = 0.004

@@ -166,7 +166,7 @@ def bench_pick(
     place = rooms.spot(rng, table, [], where=where)
     if place is None:
         raise SceneError(f"episode {seed}", "object", "no room for the cup")
-    radius, height = float(rng.uniform(*where.radius_m)), float(rng.uniform(*CUP_HEIGHT_M))
+    radius, height = float(rng.uniform(*where.radius_m)), float(rng.uniform(*where.cup_height_m))
     cup = SceneItem(
         name=TARGET,
         kind="cup",

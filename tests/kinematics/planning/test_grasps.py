@@ -169,3 +169,15 @@ def test_fingers_that_wrap_around_are_not_led_in_from_above(palms):
 def test_where_a_thing_is_held_is_read_between_what_was_measured(palms, width, at):
     assert palms["left"].held_at_m(width) == pytest.approx(at)
     assert palms["right"].held_at_m(width) == pytest.approx(-at)
+
+
+@pytest.mark.parametrize("height", [0.10, 0.14, 0.22])
+def test_from_the_side_all_fingers_meet_what_they_wrap_around(palms, height):
+    gripper = palms["left"]
+    item = SceneObject("can", Cylinder(0.03, height), poses.translation(0.4, 0.1, 0.8))
+
+    level = [c.grasp for c in grasp_candidates(item, gripper, 0.0, 0.1) if abs(tilt_of(c.grasp)) < 1.0]
+
+    assert level
+    for grasp in level:
+        assert 0.8 + 0.5 * height - grasp.world_T_tcp[2, 3] >= gripper.side_overlap_m - 1e-9

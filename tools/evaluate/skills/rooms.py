@@ -50,6 +50,7 @@ class Workspace:
         radius_m: Of round things.
         box_m: Of boxes, the smallest and the largest.
         container_ahead_m, container_aside_m: Of containers, from the edge, and from the middle.
+        cup_height_m: Of cups that are to be picked up.
         most_people: Who stand about at once; none where the eyes look down at a bench.
     """
 
@@ -66,6 +67,7 @@ class Workspace:
     container_ahead_m: Range
     container_aside_m: float
     most_people: int
+    cup_height_m: Range = (0.08, 0.16)
 
 
 STANDING = Workspace(
@@ -114,6 +116,7 @@ LOW = Workspace(
     container_ahead_m=(0.16, 0.26),
     container_aside_m=0.25,
     most_people=0,
+    cup_height_m=(0.10, 0.17),
 )
 """Before a humanoid of a child's size, whose eyes look down (the scene named low_tabletop)."""
 
