@@ -152,6 +152,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         mount_xyz_m=body.mount_xyz_m,
         mount_rpy_rad=body.mount_rpy_rad,
         reach_m=body.reach_m,
+        foot_sensors=body.foot_sensors,
         cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
         walking=None if document.walking is None else document.walking[0],
         reachability=_reachability(folder),

@@ -48,6 +48,7 @@ class BodyTable(StrictTable):
     mount_xyz_m: Triple = (0.0, 0.0, 0.0)
     mount_rpy_rad: Triple = (0.0, 0.0, 0.0)
     reach_m: FiniteFloat = 1.15
+    foot_sensors: bool = True
 
 
 class LimitsTable(StrictTable):
