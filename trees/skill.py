@@ -56,6 +56,7 @@ class Need(Enum):
 
     HAND = "a hand that grips"
     BARS = "a hand that grips handles"
+    PUTS = "a hand that puts down"
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"

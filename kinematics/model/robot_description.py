@@ -98,6 +98,7 @@ class GripperDescription:
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
+        cannot_put_down: Why it does not put down what it holds where it is told to; empty when it does.
     """
 
     hand: Hand
@@ -131,6 +132,7 @@ class GripperDescription:
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     cannot_grip_bars: str = ""
+    cannot_put_down: str = ""
 
     @property
     def joints(self) -> tuple[str, ...]:

@@ -186,6 +186,7 @@ class GripperTable(StrictTable):
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     cannot_grip_bars: str = ""
+    cannot_put_down: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4
     arrived_rad: FiniteFloat = 0.03

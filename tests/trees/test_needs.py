@@ -11,6 +11,7 @@ from trees.registry import skill_called
 from trees.skill import Need
 
 NO_BARS = "how fingers that press against a palm take hold of a bar is not known"
+NO_SETTING = "what is pressed against a palm has not been set down by touch yet"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -32,7 +33,11 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
 @pytest.mark.parametrize(
     ("robot", "action", "lacking_parts"),
     [
-        ("panda", "walk_to", ["feet; panda stands on a welded base"]),
+        (
+            "panda",
+            "walk_to",
+            ["feet; panda stands on a welded base", "eyes that aim; the camera of panda stays as it is"],
+        ),
         ("panda", "look_at", ["eyes that aim; the camera of panda stays as it is"]),
         ("panda", "pick", []),
         ("panda", "say", []),
@@ -42,7 +47,10 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
         ("g1", "follow", ["eyes that aim; the camera of g1 stays as it is"]),
         ("g1", "pick", []),
         ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
+        ("g1", "place", [f"a hand that puts down; {NO_SETTING}"]),
+        ("g1", "walk_to", ["eyes that aim; the camera of g1 stays as it is"]),
         ("panda", "open", []),
+        ("panda", "place", []),
     ],
 )
 def test_what_a_robot_lacks_is_told_from_its_data_with_the_reason(robot, action, lacking_parts):
