@@ -21,6 +21,11 @@ def why_lacking(need: Need, robot: RobotDescription) -> str | None:
     match need:
         case Need.HAND if not robot.grippers:
             return robot.cannot_grasp or f"{robot.name} has no gripper"
+        case Need.BARS if all(hand.cannot_grip_bars for hand in robot.grippers.values()):
+            # a robot without any gripper has been told of that
+            return next((hand.cannot_grip_bars for hand in robot.grippers.values()), None)
+        case Need.PUTS if all(hand.cannot_put_down for hand in robot.grippers.values()):
+            return next((hand.cannot_put_down for hand in robot.grippers.values()), None)
         case Need.ARM if not robot.tcp_frames:
             return f"{robot.name} has none"
         case Need.LEGS if robot.welded:

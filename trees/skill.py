@@ -55,6 +55,8 @@ class Need(Enum):
     """Something that a robot has to have; the value names it."""
 
     HAND = "a hand that grips"
+    BARS = "a hand that grips handles"
+    PUTS = "a hand that puts down"
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"

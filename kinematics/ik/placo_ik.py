@@ -43,6 +43,8 @@ COM_WEIGHT = 1.0
 POSTURE_WEIGHT = 1e-3
 TRUNK_WEIGHT = 0.05
 REGULARISATION = 1e-5
+# Who reaches far is at the limits of the trunk, and curves through a few solved points swing beyond them.
+SWING_RESERVE_RAD = 0.03
 STEP_S = 0.01
 
 
@@ -66,12 +68,13 @@ class PlacoIk:
             raise MissingPartError(description.name, f"{hand} hand")
         self._frame = description.tcp_frames[hand]
         margin = description.planning_margin_rad
+        reserve = 0.0 if description.welded else SWING_RESERVE_RAD
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
         self._robot = placo.RobotWrapper(
             "", int(placo.Flags.ignore_collisions), without_meshes(description.planning_urdf)
         )
         for name, lower, upper in zip(model.joints, self._lower, self._upper, strict=True):
-            self._robot.set_joint_limits(name, float(lower), float(upper))
+            self._robot.set_joint_limits(name, float(lower) + reserve, float(upper) - reserve)
         self._solver = self._make_solver(robot.stance)
         self._tcp = self._solver.add_frame_task(self._frame, np.eye(4))
         self._tcp.configure(self._frame, "soft", *TCP_WEIGHTS)

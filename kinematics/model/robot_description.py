@@ -6,6 +6,7 @@ that is true of one robot and not of robots in general belongs there.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
@@ -39,14 +40,31 @@ class JointLimits:
 
 
 @dataclass(frozen=True, slots=True)
+class HandMotor:
+    """One of the motors of a hand that has several.
+
+    Attributes:
+        joint: The joint that it drives.
+        open_rad, closed_rad: Where that is when the hand is fully open and fully closed.
+    """
+
+    joint: str
+    open_rad: float
+    closed_rad: float
+
+
+@dataclass(frozen=True, slots=True)
 class GripperDescription:
     """One gripper.
 
-    Of a joint that slides, positions are metres and efforts newtons where the names say rad and nm.
+    Its position is that of its one driven joint; or, of a hand of several motors, how far it is open, from 0
+    (closed) to 1: each motor goes the straight way between its two ends (a synergy), and where things hold
+    them back, the position is their mean. Of a joint that slides, positions are metres and efforts newtons
+    where the names say rad and nm.
 
     Attributes:
         hand: Which hand it is.
-        joint: The one driven joint; others mimic it.
+        joint: The one driven joint, which others may mimic; of several motors the first that moves.
         tcp_frame: Frame with x along the approach, y along the opening, origin between the pads.
         base_link: Link that the fingers hang on.
         links: Every link of the gripper; they may touch each other.
@@ -70,6 +88,17 @@ class GripperDescription:
         pad_overlap_m: The same of what is not low.
         slides: Whether the driven joint slides.
         over_ball_m: No farther above a ball's middle than this: its sides would be at the edges of the pads.
+        motors: The motors of a hand that has several.
+        palm_side_m: Where along the opening the palm is that the fingers press a thing against; None of
+            fingers that centre it between them.
+        beside_palm_m: What a thing is away from that palm when the fingers begin to close.
+        held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
+            in width; empty of all others.
+        side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
+            fingers are to meet it.
+        steepest_rad: No grasp is tilted down by more than this.
+        cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
+        cannot_put_down: Why it does not put down what it holds where it is told to; empty when it does.
     """
 
     hand: Hand
@@ -96,6 +125,67 @@ class GripperDescription:
     pad_overlap_m: float = 0.02
     over_ball_m: float = 0.032
     slides: bool = False
+    motors: tuple[HandMotor, ...] = ()
+    palm_side_m: float | None = None
+    beside_palm_m: float = 0.0
+    held_table: tuple[tuple[float, float], ...] = ()
+    side_overlap_m: float = -math.inf
+    steepest_rad: float = math.pi / 2
+    cannot_grip_bars: str = ""
+    cannot_put_down: str = ""
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The driven joints."""
+        return tuple(motor.joint for motor in self.motors) or (self.joint,)
+
+    @property
+    def moving(self) -> tuple[HandMotor, ...]:
+        """Those motors of several that are not held where they are."""
+        return tuple(motor for motor in self.motors if motor.open_rad != motor.closed_rad)
+
+    def joints_at(self, position: float) -> tuple[float, ...]:
+        """Where the driven joints are with the gripper at a position."""
+        if not self.motors:
+            return (position,)
+        return tuple(
+            motor.closed_rad + position * (motor.open_rad - motor.closed_rad) for motor in self.motors
+        )
+
+    def position_of(self, joints: Mapping[str, float]) -> float:
+        """The position of the gripper whose driven joints are somewhere, by name."""
+        if not self.motors:
+            return joints[self.joint]
+        shares = [
+            (joints[motor.joint] - motor.closed_rad) / (motor.open_rad - motor.closed_rad)
+            for motor in self.moving
+        ]
+        return sum(shares) / len(shares)
+
+    def grasped_at_m(self, width_m: float) -> float:
+        """Where along the opening, from the TCP, the middle of a thing is to be when the fingers close on it.
+
+        Args:
+            width_m: Of the thing, along the opening.
+        """
+        if self.palm_side_m is None:
+            return 0.0
+        return self.palm_side_m - math.copysign(0.5 * width_m + self.beside_palm_m, self.palm_side_m)
+
+    def held_at_m(self, width_m: float) -> float:
+        """The same once they have closed; beyond the table as at its nearer end."""
+        if not self.held_table:
+            return 0.0
+        low, high = self.held_table[0], self.held_table[-1]
+        for row in self.held_table:
+            if row[0] >= width_m:
+                high = row
+                break
+            low = row
+        if low[0] >= width_m or high[0] <= low[0]:
+            return low[1]
+        share = min(1.0, (width_m - low[0]) / (high[0] - low[0]))
+        return low[1] + share * (high[1] - low[1])
 
     @property
     def max_opening_m(self) -> float:
@@ -194,6 +284,7 @@ class RobotDescription:
         planning_margin_rad: Limits are shrunk by this for planning.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
         reach_m: No hand gets farther than this from its shoulder, a trunk that leans included.
+        foot_sensors: Whether its feet feel what the floor does; else the legs' efforts tell it.
     """
 
     name: str
@@ -223,6 +314,7 @@ class RobotDescription:
     reachability: ReachabilityMap | None = None
     joint_viscosity_nms_rad: float = 0.0
     reach_m: float = 1.15
+    foot_sensors: bool = True
 
     @property
     def actuated(self) -> tuple[str, ...]:

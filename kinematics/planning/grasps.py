@@ -28,6 +28,7 @@ from kinematics.scene.planning_scene import SceneObject
 YAWS_RAD = tuple(math.radians(a) for a in (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90, -90, 110, 130))
 TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
 _STEEPEST_RAD = math.radians(70)
+_ROUNDING_RAD = 1e-6
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
 # One of the other grasps of something low reaches less deep by this.
@@ -146,7 +147,8 @@ def grasp_table(
         (tilt, height)
         for tilt, height in product(TILTS_RAD, heights)
         # from above, palm and fingertips leave little choice of height
-        if height in (ABOVE_MIDDLE, NEAR_TOP) or tilt <= _STEEPEST_RAD
+        if (height in (ABOVE_MIDDLE, NEAR_TOP) or tilt <= _STEEPEST_RAD)
+        and tilt <= gripper.steepest_rad + _ROUNDING_RAD
     )
     headings = poses.rotations_z(natural_yaw_rad + outward * np.array(YAWS_RAD))
     leans = poses.rotations_y(np.array([tilt for tilt, _ in kinds]))
@@ -161,9 +163,13 @@ def grasp_table(
     order = np.argsort(cost, kind="stable")
     suffix = [placed.suffix[row] for row in order]
     label = names, placed.yaw[order], placed.kind[order], suffix
-    return GraspTable(
-        gripper.hand, approach_m, placed.world_T_tcp[order], placed.diameter_m[order], cost[order], label
-    )
+    places, widths = placed.world_T_tcp[order], placed.diameter_m[order]
+    if gripper.palm_side_m is None:
+        return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label)
+    beside = np.array([gripper.grasped_at_m(width) for width in widths.tolist()])
+    places[:, :3, 3] -= beside[:, None] * places[:, :3, 1]
+    held = np.array([gripper.held_at_m(width) for width in widths.tolist()])
+    return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label, held)
 
 
 @functools.lru_cache(maxsize=16)
@@ -309,7 +315,7 @@ def _reach_in(
     From the side at the wanted share ``at`` of the height; from above as deep as palm and overlap
     want, measured along the approach; in between the blend by the tilt's sine.
     """
-    side = at * height
+    side = min(at * height, 0.5 * height - gripper.side_overlap_m)
     deepest = gripper.palm_distance_m - gripper.palm_gap_m
     least = gripper.pad_overlap_m
     overlap = max(least, min(0.45 * height, height - gripper.tip_gap_m))

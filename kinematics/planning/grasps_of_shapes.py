@@ -36,7 +36,7 @@ def any_grasp_table(
 ) -> GraspTable:
     """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
     parts = item.shape.parts
-    if parts is None or not needs_shape_grasps(parts):
+    if parts is None or not needs_shape_grasps(parts) or gripper.palm_side_m is not None:
         return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
     found = shape_grasps(parts, gripper, item.world_T_object)
     places = item.world_T_object @ found.object_T_tcp
@@ -81,7 +81,7 @@ def _unnatural(places: Array, natural_yaw_rad: float, outward: float) -> Array:
 def no_grasp_reason(item: SceneObject, gripper: GripperDescription) -> str | None:
     """Why a hand can take hold of a thing nowhere, in words for people; None where it could."""
     parts = item.shape.parts
-    if parts is None or not needs_shape_grasps(parts):
+    if parts is None or not needs_shape_grasps(parts) or gripper.palm_side_m is not None:
         return None
     found = shape_grasps(parts, gripper, item.world_T_object)
     return None if len(found.cost) else _reason(item, parts, found, gripper)

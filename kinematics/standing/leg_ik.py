@@ -19,7 +19,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
-from kinematics.standing.numeric_leg import NumericLeg
+from kinematics.standing.numeric_leg import LegChain, NumericLeg
 
 AXES = ("JointModelRZ", "JointModelRX", "JointModelRY", "JointModelRY", "JointModelRY", "JointModelRX")
 
@@ -78,6 +78,18 @@ class LegIk:
         return tuple(
             LegGeometry(leg.joints, leg.hip, leg.thigh, leg.shin, leg.foot_R, leg.ankle) for leg in closed
         )
+
+    @property
+    def chains(self) -> tuple[LegChain, ...]:
+        """The hinges of legs without a closed form, left first.
+
+        Raises:
+            ModelError: A leg has one.
+        """
+        numeric = [leg for leg in self._legs if isinstance(leg, NumericLeg)]
+        if len(numeric) < len(self._legs):
+            raise ModelError("some legs have a closed form, and others have none")
+        return tuple(leg.chain for leg in numeric)
 
     def fill(self, q: Array) -> NDArray[np.bool_]:
         """Write the leg joints into configurations, from their base poses.

@@ -7,6 +7,8 @@ one on home's side of a stretched knee. Each pose is solved on its own: its neig
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -28,8 +30,30 @@ LONGEST_STEP = 0.4
 DAMPING = 1e-2
 
 
+@dataclass(frozen=True, slots=True)
+class LegChain:
+    """The hinges of one leg, hip to ankle, each in the frame of the one before it; the first in the base's.
+
+    Attributes:
+        joints: Pinocchio's ids.
+        turns: Rotation of each, shape (6, 3, 3).
+        offsets_m: Its place, shape (6, 3).
+        axes: Its axis, in its own frame, shape (6, 3).
+        foot_T_sole: The sole on the last link, shape (4, 4).
+    """
+
+    joints: tuple[int, ...]
+    turns: Array
+    offsets_m: Array
+    axes: Array
+    foot_T_sole: Transform
+
+
 class NumericLeg:
     """One leg, for one place of its foot.
+
+    Attributes:
+        chain: Its hinges.
 
     Raises:
         ModelError: The leg is not a chain of six hinges that hangs on the base.
@@ -50,6 +74,9 @@ class NumericLeg:
         self._foot_T_sole = np.array(sole.placement.homogeneous)
         self._world_T_sole = world_T_sole
         self._home = model.q_home[self._columns]
+        self.chain = LegChain(
+            tuple(int(i) for i in ids), self._turn, self._offset, self._axis, self._foot_T_sole
+        )
 
     def fill(self, q: Array, base_R: Array) -> Mask:
         """Write the leg's joints into configurations.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.resources
+import math
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
 from importlib.resources.abc import Traversable
@@ -18,12 +19,19 @@ from kinematics.model.robot_description import (
     GROUPS,
     GripperDescription,
     Hand,
+    HandMotor,
     JointLimits,
     RobotDescription,
 )
 from robots.errors import DescriptionError, UnknownRobotError, UnknownRobotFolderError
 from robots.interface.hardware import RobotData
-from robots.models.description_document import DescriptionDocument, GripperTable, SourceTable, by_kind
+from robots.models.description_document import (
+    DescriptionDocument,
+    GripperTable,
+    MotorTable,
+    SourceTable,
+    by_kind,
+)
 from robots.models.fitted_urdf import bound_joints, forget_capsules, with_joints_held, without_world
 from robots.models.hardware_tables import hardware_of
 from robots.models.reachability_file import REACHABILITY, read_reachability
@@ -119,13 +127,18 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         add_frame(urdf, frame.name, frame.link, frame.model_dump())
     for box in document.collision:
         add_collision_box(urdf, box.link, box.model_dump())
-    open_rad = {gripper.joint: gripper.open_rad for gripper in grippers.values()}
+    open_rad = {
+        joint: at
+        for gripper in grippers.values()
+        for joint, at in zip(gripper.joints, gripper.joints_at(gripper.open_rad), strict=True)
+    }
     planning = with_fixed_joints(urdf, gains.members.get(_GRIPPER_KIND, _NO_JOINT), open_rad)
     joints = _order(planning, document.groups)
-    gripper_joints = tuple(gripper.joint for gripper in grippers.values())
+    gripper_joints = tuple(joint for gripper in grippers.values() for joint in gripper.joints)
     actuated = joints + gripper_joints
     srdf = None if source.srdf is None else ElementTree.parse(root / source.srdf).getroot()
-    posture = {} if srdf is None else _srdf_posture(srdf, source.srdf_posture or "")
+    motors = {motor.joint: motor.open_rad for gripper in grippers.values() for motor in gripper.motors}
+    posture = motors | ({} if srdf is None else _srdf_posture(srdf, source.srdf_posture or ""))
     description = RobotDescription(
         name=name,
         urdf=ElementTree.tostring(urdf, encoding="unicode"),
@@ -151,6 +164,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         mount_xyz_m=body.mount_xyz_m,
         mount_rpy_rad=body.mount_rpy_rad,
         reach_m=body.reach_m,
+        foot_sensors=body.foot_sensors,
         cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
         walking=None if document.walking is None else document.walking[0],
         reachability=_reachability(folder),
@@ -270,6 +284,7 @@ def _limits(
     elements, table = joints_named(urdf, actuated), document.limits
     if unknown := sorted(set(table.position) - set(actuated)):
         raise DescriptionError(f"[limits.position] names no joint of the robot: {unknown[0]!r}")
+    efforts = _motor_efforts(document.gripper)
     limits = {}
     for name in actuated:
         element = elements[name].find("limit")
@@ -282,7 +297,7 @@ def _limits(
             velocity=table.velocity.get(kind, float(element.get("velocity", "0"))),
             acceleration=by_kind(table.acceleration, kind, "limits.acceleration"),
             jerk=by_kind(table.jerk, kind, "limits.jerk"),
-            effort=table.effort.get(kind, float(element.get("effort", "0"))),
+            effort=efforts.get(name, table.effort.get(kind, float(element.get("effort", "0")))),
         )
     return limits
 
@@ -291,11 +306,51 @@ def _grippers(table: GripperTable | None, urdf: ElementTree.Element) -> dict[Han
     return {} if table is None else {hand: _gripper(hand, table, urdf) for hand in table.tcp.places()}
 
 
+def _motor_efforts(table: GripperTable | None) -> dict[str, float]:
+    """What each of several motors of a hand gives, by joint."""
+    hands = () if table is None else table.tcp.places()
+    return {
+        motor.joint.format(hand=hand): motor.effort_nm
+        for hand in hands
+        for motor in (() if table is None else table.motor)
+    }
+
+
+def _motors(hand: Hand, table: GripperTable) -> tuple[HandMotor, ...]:
+    def motor(described: MotorTable) -> HandMotor:
+        sign = -1.0 if described.mirrored and hand == "right" else 1.0
+        joint = described.joint.format(hand=hand)
+        return HandMotor(joint, sign * described.open_rad, sign * described.closed_rad)
+
+    return tuple(motor(described) for described in table.motor)
+
+
+def _driven_joint(table: GripperTable, motors: Sequence[HandMotor]) -> str:
+    """The joint that a gripper is driven by, first of all.
+
+    Raises:
+        DescriptionError: None or several are named, or no motor moves, or the ends are not 0 and 1.
+    """
+    if (table.joint is None) == (not motors):
+        raise DescriptionError("[gripper] has either a joint or a table motor for each of several")
+    if table.joint is not None:
+        return table.joint
+    moving = [motor.joint for motor in motors if motor.open_rad != motor.closed_rad]
+    if not moving or (table.open_rad, table.closed_rad) != (1.0, 0.0):
+        raise DescriptionError("[gripper] motors go from closed_rad = 0.0 to open_rad = 1.0, and one moves")
+    return moving[0]
+
+
 def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> GripperDescription:
-    joint = table.joint.format(hand=hand)
+    motors = _motors(hand, table)
+    joint = _driven_joint(table, motors).format(hand=hand)
+    mirror = 1.0 if hand == "left" else -1.0
 
     def named(names: Sequence[str]) -> tuple[str, ...]:
         return tuple(name.format(hand=hand) for name in names)
+
+    def sided(place: tuple[float, float, float]) -> tuple[float, float, float]:
+        return (place[0], mirror * place[1], place[2]) if table.mirrored_pads else place
 
     return GripperDescription(
         hand=hand,
@@ -310,7 +365,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         opening_table=tuple(table.opening_table),
         payload_kg=table.payload_kg,
         pad_half_size_m=tuple(table.pad_half_size_m),
-        pad_position_m=tuple(table.pad_position_m),
+        pad_position_m=tuple(sided(place) for place in table.pad_position_m),
         pad_gap_m=table.pad_gap_m,
         palm_distance_m=table.palm_distance_m,
         closing_advance_m=table.closing_advance_m,
@@ -321,6 +376,14 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         lowest_overlap_m=table.lowest_overlap_m,
         pad_overlap_m=table.pad_overlap_m,
         over_ball_m=table.over_ball_m,
+        motors=motors,
+        palm_side_m=None if table.palm_side_m is None else mirror * table.palm_side_m,
+        beside_palm_m=table.beside_palm_m,
+        held_table=tuple((width, mirror * at) for width, at in table.held_table),
+        side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
+        steepest_rad=table.steepest_rad,
+        cannot_grip_bars=table.cannot_grip_bars,
+        cannot_put_down=table.cannot_put_down,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from typing import Annotated, Literal, TypeVar
@@ -48,6 +49,7 @@ class BodyTable(StrictTable):
     mount_xyz_m: Triple = (0.0, 0.0, 0.0)
     mount_rpy_rad: Triple = (0.0, 0.0, 0.0)
     reach_m: FiniteFloat = 1.15
+    foot_sensors: bool = True
 
 
 class LimitsTable(StrictTable):
@@ -138,10 +140,21 @@ class HandTable(StrictTable):
     cannot_grasp: str = ""
 
 
-class GripperTable(StrictTable):
-    """``[gripper]``: hands that grasp."""
+class MotorTable(StrictTable):
+    """``[[gripper.motor]]``: one of several, of the left hand; a mirrored right one turns the other way."""
 
     joint: Text
+    open_rad: FiniteFloat
+    closed_rad: FiniteFloat
+    effort_nm: FiniteFloat
+    mirrored: bool = False
+
+
+class GripperTable(StrictTable):
+    """``[gripper]``: hands that grasp, with one driven joint or with several motors."""
+
+    joint: Text | None = None
+    motor: list[MotorTable] = Field(default_factory=list)
     base_link: Text
     tcp: TcpTable
     links: list[Text]
@@ -158,6 +171,7 @@ class GripperTable(StrictTable):
     payload_kg: FiniteFloat
     pad_half_size_m: list[Triple]
     pad_position_m: list[Triple]
+    mirrored_pads: bool = False
     pad_gap_m: FiniteFloat
     palm_distance_m: FiniteFloat
     closing_advance_m: FiniteFloat
@@ -168,6 +182,13 @@ class GripperTable(StrictTable):
     lowest_overlap_m: FiniteFloat = -0.014
     pad_overlap_m: FiniteFloat = 0.02
     over_ball_m: FiniteFloat = 0.032
+    palm_side_m: FiniteFloat | None = None
+    beside_palm_m: FiniteFloat = 0.0
+    held_table: list[Pair] = Field(default_factory=list)
+    side_overlap_m: FiniteFloat | None = None
+    steepest_rad: FiniteFloat = math.pi / 2
+    cannot_grip_bars: str = ""
+    cannot_put_down: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4
     arrived_rad: FiniteFloat = 0.03

@@ -10,6 +10,8 @@ from trees.readiness import lacking
 from trees.registry import skill_called
 from trees.skill import Need
 
+NO_BARS = "how fingers that press against a palm take hold of a bar is not known"
+NO_SETTING = "what is pressed against a palm has not been set down by touch yet"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -31,18 +33,35 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
 @pytest.mark.parametrize(
     ("robot", "action", "lacking_parts"),
     [
-        ("panda", "walk_to", ["feet; panda stands on a welded base"]),
+        (
+            "panda",
+            "walk_to",
+            ["feet; panda stands on a welded base", "eyes that aim; the camera of panda stays as it is"],
+        ),
         ("panda", "look_at", ["eyes that aim; the camera of panda stays as it is"]),
         ("panda", "pick", []),
         ("panda", "say", []),
         ("talos", "walk_to", []),
         ("talos", "look_at", []),
-        ("g1", "walk_to", ["feet; g1 is not known to walk"]),
-        ("g1", "pick", [f"a hand that grips; {RUBBER}"]),
+        ("g1", "move", []),
+        ("g1", "follow", ["eyes that aim; the camera of g1 stays as it is"]),
+        ("g1", "pick", []),
+        ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
+        ("g1", "place", [f"a hand that puts down; {NO_SETTING}"]),
+        ("g1", "walk_to", ["eyes that aim; the camera of g1 stays as it is"]),
+        ("panda", "open", []),
+        ("panda", "place", []),
     ],
 )
 def test_what_a_robot_lacks_is_told_from_its_data_with_the_reason(robot, action, lacking_parts):
     assert list(lacks(skill_called(action), load_description(robot))) == lacking_parts
+
+
+def test_a_hand_that_cannot_grasp_says_why():
+    robot = replace(load_description("g1"), grippers={}, cannot_grasp=RUBBER)
+
+    assert list(lacks(skill_called("pick"), robot)) == [f"a hand that grips; {RUBBER}"]
+    assert list(lacks(skill_called("open"), robot)) == [f"a hand that grips; {RUBBER}"]
 
 
 def test_who_only_speaks_needs_nothing(stage):

@@ -57,7 +57,6 @@ from tools.evaluate.records import EpisodeRecord, Run, Summary, dead_episode
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
-from tools.evaluate.scenes import BENCH
 from tools.evaluate.shown.suite import SHOWN_SUITE, run_shown
 from tools.evaluate.skills.episode import run_skill_episode
 from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
@@ -222,9 +221,8 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
         for i in range(options.episodes)
     ]
     skill = options.suite in (*SKILL_SUITES, *_RUNS)
-    bench = options.scene == BENCH and options.suite in SKILL_SUITES
-    bench = bench and SKILL_SUITES[options.suite].on_bench is not None
-    if skill and ((options.fault and not faulted) or (options.scene and not bench)):
+    known = options.suite in SKILL_SUITES and SKILL_SUITES[options.suite].makes(options.scene) is not None
+    if skill and ((options.fault and not faulted) or (options.scene and not known)):
         messages.print(f"error: the suite {options.suite} takes no such fault and no scene", style="bold")
         return 2
     run: Run = partial(run_skill_episode, options.suite) if skill else run_episode

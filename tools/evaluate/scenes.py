@@ -53,6 +53,7 @@ OTHERS_CHANCE = 0.5
 OTHERS_APART_M = 0.22
 CLUTTER = "clutter"
 BENCH, BENCH_CLUTTER = "bench", "bench_clutter"
+LOW_TABLE = "low_tabletop"
 CLUTTER_COUNT = (3, 12)
 # Left free between two things amid clutter; fingers need about as much.
 CLUTTER_GAP_M = 0.03
@@ -82,11 +83,14 @@ def episode_scene(seed: int, fault: str | None = None, scene: str | None = None)
         seed: The episode's seed.
         fault: As for ``pick_scene``.
         scene: None for a random table, "clutter" for one with 3 to 12 other things; "bench" and
-            "bench_clutter" for the same before an arm that is bolted down; any other scene, by name or file,
-            with its things, its cup's weight and the robot's start a little different.
+            "bench_clutter" for the same before an arm that is bolted down, "low_tabletop" before a
+            humanoid of a child's size; any other scene, by name or file, with its things, its cup's
+            weight and the robot's start a little different.
     """
     if scene in (BENCH, BENCH_CLUTTER):
         return bench_pick(seed, fault, crowded=scene == BENCH_CLUTTER)
+    if scene == LOW_TABLE:
+        return bench_pick(seed, fault, where=rooms.LOW)
     if scene is None or scene == CLUTTER:
         return pick_scene(seed, fault, crowded=scene == CLUTTER)
     return _moved_about(load_scene(scene), seed)
@@ -153,14 +157,16 @@ def pick_scene(seed: int, fault: str | None = None, crowded: bool = False) -> st
     return dump(SceneDescription(f"pick-{seed}", start, PERCEPTION, (table,), tuple(things)))
 
 
-def bench_pick(seed: int, fault: str | None = None, crowded: bool = False) -> str:
-    """The same before an arm that is bolted to a pedestal, with a cup that is slim enough for its fingers."""
+def bench_pick(
+    seed: int, fault: str | None = None, crowded: bool = False, where: rooms.Workspace = rooms.BENCH
+) -> str:
+    """The same within reach of another kind of robot, with a cup that fits into its hand."""
     rng = episode_rng(seed, 0)
-    start, table = rooms.start(rng), rooms.table(rng, rooms.BENCH)
-    place = rooms.spot(rng, table, [], where=rooms.BENCH)
+    start, table = rooms.start(rng), rooms.table(rng, where)
+    place = rooms.spot(rng, table, [], where=where)
     if place is None:
         raise SceneError(f"episode {seed}", "object", "no room for the cup")
-    radius, height = float(rng.uniform(*rooms.BENCH.radius_m)), float(rng.uniform(*CUP_HEIGHT_M))
+    radius, height = float(rng.uniform(*where.radius_m)), float(rng.uniform(*where.cup_height_m))
     cup = SceneItem(
         name=TARGET,
         kind="cup",

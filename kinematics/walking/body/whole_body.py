@@ -1,4 +1,4 @@
-"""From the pattern to the joints: legs in closed form, the CoM brought to where it belongs.
+"""From the pattern to the joints: legs under the pelvis, the CoM brought to where it belongs.
 
 The pelvis stays level and at one height, the upper body keeps its posture; where the pelvis is follows
 from where the CoM is to be. Positions are averaged over three periods, (1, 2, 1)/4, so that the central
@@ -21,11 +21,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
-from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
-from kinematics.standing.leg_ik import LegIk
-from kinematics.walking.body.legs import fill_legs
+from kinematics.walking.body.walking_legs import walking_legs
 from kinematics.walking.pattern.pattern_sample import PatternSample
 
 _BASE = 4
@@ -51,29 +48,21 @@ class WholeBody:
         """Begin at rest.
 
         Args:
-            model: The robot; its legs have a closed form.
+            model: The robot.
             q: Configuration at the start, in the plan's frame, shape (nq,).
             feet: Where its soles are then.
             period_s: The control period.
             blend_s: Time in which the pelvis comes level and to the home posture's height.
 
         Raises:
-            ModelError: The legs have no closed form.
+            ModelError: A leg is not a chain of six hinges.
         """
         self._model, self._pin, self._data = model, model.pin, model.pin.createData()
         self._period_s, self._blend_s = period_s, blend_s
-        flat = tuple((sole.frame, np.eye(4)) for sole in model.description.soles)
         self._sides = tuple(side for side in HANDS for sole in model.description.soles if sole.side == side)
-        geometry = LegIk(StandingRobot(model, Stance(flat))).geometry
-        self._columns = np.array(
-            [[int(model.pin.joints[j].idx_q) for j in leg.joints] for leg in geometry], dtype=np.intp
-        )
-        self._leg_joints = [leg.joints for leg in geometry]
-        self._hip = np.array([leg.hip_m for leg in geometry])
-        self._bones = np.array([[leg.thigh_m, leg.shin_m] for leg in geometry])
-        self._sole_R_ankle = np.array([leg.foot_R for leg in geometry])
-        self._sole_p_ankle = np.array([leg.ankle_m for leg in geometry])
-        self._feet = np.zeros((len(geometry), 4))
+        self._legs = walking_legs(model)
+        self._columns, self._leg_joints = self._legs.columns, self._legs.joints
+        self._feet = np.zeros((len(self._leg_joints), 4))
         self._t_s = 0.0
         self._q = q.copy()
         base_R = poses.rotation_from_quaternion(q[3:7])
@@ -157,16 +146,7 @@ class WholeBody:
         for k, side in enumerate(self._sides):
             foot = sample.feet[side]
             self._feet[k] = (foot.x_m, foot.y_m, sample.lift_m[side], foot.yaw_rad)
-        if not fill_legs(
-            q,
-            base_R,
-            self._feet,
-            self._hip,
-            self._bones,
-            self._sole_R_ankle,
-            self._sole_p_ankle,
-            self._columns,
-        ):
+        if not self._legs.fill(q, base_R, self._feet):
             raise OutOfReachError("a step is out of the legs' reach")
         com = pin.centerOfMass(self._pin, self._data, q, False)
         self._offset += np.array(sample.com.com) - com[:2]

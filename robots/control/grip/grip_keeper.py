@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 
+from kinematics.arrays import Array
 from kinematics.model.robot_description import Hand
+from robots.control.grip.hand_joints import HandJoints
 from robots.control.grip.joint_tracker import JointTracker
 from robots.interface.gripper_reading import GripperReading, read_gripper
 from robots.interface.hardware import RobotData
@@ -22,11 +24,12 @@ class GripKeeper:
     Pressing is a force law made of positions: the servo's effort is its stiffness times the gap
     between setpoint and fingers, so the setpoint is kept ``effort / stiffness`` further closed than
     the fingers are. When the fingers give way (the object was taken, or slips) it follows them, and
-    so an emptied gripper closes.
+    so an emptied gripper closes. The motors of a hand that has several press with what they may give:
+    there the setpoint goes on to the end.
 
     Attributes:
-        joint: Name of the driven joint.
-        index: Where it is among the actuated joints.
+        joint: Name of the driven joint; of several, of the first one that moves.
+        joints: All of them, among the robot's.
         pressing: Whether it presses; else it stays where it is.
     """
 
@@ -41,13 +44,14 @@ class GripKeeper:
         """
         description, grip = data.description, data.hardware.grips[hand]
         gripper = description.grippers[hand]
-        limits = description.limits[gripper.joint]
         self.joint = gripper.joint
-        self.index = description.actuated.index(gripper.joint)
+        self.joints = HandJoints(description, hand)
+        limits = self.joints.limits
         self.pressing = False
         self._gripper, self._grip = gripper, grip
         self._inwards = math.copysign(1.0, gripper.closed_rad - gripper.open_rad)
-        self._squeeze_rad = grip.effort_nm / data.hardware.gains[gripper.joint].stiffness
+        stiffness = data.hardware.gains[gripper.joint].stiffness
+        self._squeeze_rad = grip.effort_nm / stiffness if self.joints.single else math.inf
         speed = min(grip.closing_speed_rad_s, limits.velocity)
         self._make_tracker = (speed, limits.acceleration, period_s, limits.jerk)
         self._period_s = period_s
@@ -68,14 +72,19 @@ class GripKeeper:
 
     @property
     def setpoint(self) -> tuple[float, float]:
-        """Position, rad, and velocity, rad/s, that are commanded now."""
+        """Position of the gripper, rad, and velocity, rad/s, that are commanded now."""
         return self._tracker.q_rad, self._tracker.v_rad_s
+
+    @property
+    def joints_at(self) -> Array:
+        """Positions of the driven joints that are commanded now, shape (m,)."""
+        return self.joints.setpoint(*self.setpoint)[0]
 
     def sense(self, state: RobotState) -> None:
         """Take the newest readings in; once a control period."""
-        measured = float(state.q[self.index])
+        measured = self.joints.position(state.q)
         self._fingers_rad += self._position_share * (measured - self._fingers_rad)
-        self._effort_nm += self._effort_share * (float(state.effort[self.index]) - self._effort_nm)
+        self._effort_nm += self._effort_share * (self.joints.effort(state.effort) - self._effort_nm)
 
     def tracker(self) -> JointTracker:
         """Return a fresh tracker that goes on from the present setpoint, for a motion to steer by."""
@@ -97,9 +106,10 @@ class GripKeeper:
         return self.setpoint
 
     def follow(self, q_rad: float, v_rad_s: float) -> None:
-        """Propose what a motion commands on this joint."""
-        self._tracker.q_rad, self._tracker.v_rad_s = q_rad, v_rad_s
-        self._tracker.a_rad_s2 = (v_rad_s - self._committed[1]) / self._period_s
+        """Propose what a motion commands on the first joint that moves."""
+        at, speed = self.joints.stroke(q_rad, v_rad_s)
+        self._tracker.q_rad, self._tracker.v_rad_s = at, speed
+        self._tracker.a_rad_s2 = (speed - self._committed[1]) / self._period_s
 
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""

@@ -40,7 +40,7 @@ class GuardedTracks:
         self._authority = authority
         self._running: tuple[GuardedTrack, ...] = ()
         for keeper in self.keepers.values():
-            authority.claim(_grip(keeper), [keeper.joint])
+            authority.claim(_grip(keeper), keeper.joints.names)
 
     @property
     def running(self) -> tuple[GuardedTrack, ...]:
@@ -86,7 +86,7 @@ class GuardedTracks:
         conflict = self._authority.claim(handle.owner, joints)
         if conflict is not None:
             for keeper in kept:
-                self._authority.claim(_grip(keeper), [keeper.joint])
+                self._authority.claim(_grip(keeper), keeper.joints.names)
             return f"{conflict[0]} is held by {conflict[1]}"
         checker = BodyChecker(standing, motion) if isinstance(motion, BodyMotion) else None
         actuated, bodies = self._model.description.actuated, len(self._model.joints)
@@ -102,8 +102,8 @@ class GuardedTracks:
         self._running = tuple(other for other in self._running if other is not track)
         self._authority.release(track.handle.owner)
         for keeper in self.keepers.values():
-            if keeper.index in track.indices:
-                self._authority.claim(_grip(keeper), [keeper.joint])
+            if keeper.joints.lead in track.indices:
+                self._authority.claim(_grip(keeper), keeper.joints.names)
 
     def propose_grips(self, q: Array, v: Array) -> list[str]:
         """Write the grippers' part of a setpoint; gives the owners of those that are not at rest.
@@ -115,13 +115,13 @@ class GuardedTracks:
         for keeper in self.keepers.values():
             guide = self._guide_of(keeper)
             if guide is not None:
-                k = int(np.argmax(guide.indices == keeper.index))
+                k = int(np.argmax(guide.indices == keeper.joints.lead))
                 keeper.follow(float(guide.q[k]), float(guide.v[k]))
             else:
                 before = keeper.setpoint
                 if keeper.propose() != before or before[1] != 0.0:
                     owners.append(_grip(keeper))
-            q[keeper.index], v[keeper.index] = keeper.setpoint
+            keeper.joints.write(*keeper.setpoint, q, v)
         return owners
 
     def commit(self) -> None:
@@ -147,7 +147,7 @@ class GuardedTracks:
         return [name for name in motion.bounds.joints if name in self._model.joints and name not in head]
 
     def _guide_of(self, keeper: GripKeeper) -> GuardedTrack | None:
-        return next((track for track in self._running if keeper.index in track.indices), None)
+        return next((track for track in self._running if keeper.joints.lead in track.indices), None)
 
 
 def _grip(keeper: GripKeeper) -> str:

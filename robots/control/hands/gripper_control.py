@@ -51,7 +51,7 @@ class GripperControl:
 
 
 class _GripperMotion:
-    """A guarded motion of one gripper joint, steered by a tracker from where the setpoint is."""
+    """A guarded motion of one gripper, steered by a tracker from where the setpoint is."""
 
     verb = ""
 
@@ -59,28 +59,32 @@ class _GripperMotion:
         self, data: RobotData, hand: Hand, keeper: GripKeeper, effort_nm: float | None = None
     ) -> None:
         gripper, grip = data.description.grippers[hand], data.hardware.grips[hand]
-        limits = data.description.limits[gripper.joint]
+        joints = keeper.joints
         stroke_s = abs(gripper.closed_rad - gripper.open_rad) / grip.closing_speed_rad_s
         self.name = f"{self.verb} {gripper.hand} gripper"
+        ends = [joints.setpoint(end, 0.0)[0] for end in (gripper.open_rad, gripper.closed_rad)]
+        fastest = abs(joints.setpoint(0.0, min(grip.closing_speed_rad_s, joints.limits.velocity))[1])
+        limits = np.array([data.description.limits[name].effort for name in joints.names])
+        one_effort = limits if effort_nm is None else np.minimum(effort_nm, limits)
         self.bounds = MotionBounds(
-            joints=(gripper.joint,),
-            lower_rad=np.array([min(gripper.open_rad, gripper.closed_rad)]),
-            upper_rad=np.array([max(gripper.open_rad, gripper.closed_rad)]),
-            velocity=np.array([min(grip.closing_speed_rad_s, limits.velocity)]),
-            effort=np.array([limits.effort if effort_nm is None else min(effort_nm, limits.effort)]),
+            joints=joints.names,
+            lower_rad=np.minimum(*ends),
+            upper_rad=np.maximum(*ends),
+            velocity=fastest,
+            effort=one_effort if joints.single else joints.most_effort,
             duration_s=stroke_s + _SETTLE_S,
         )
         self._gripper = gripper
         self._arrived_rad = grip.arrived_rad
         self._keeper = keeper
-        self._index = keeper.index
+        self._joints = joints
         self._tracker: JointTracker | None = None
 
     def _steer(self, target_rad: float) -> tuple[Array, Array]:
         if self._tracker is None:
             self._tracker = self._keeper.tracker()
         self._tracker.step_towards(target_rad)
-        return np.array([self._tracker.q_rad]), np.array([self._tracker.v_rad_s])
+        return self._joints.setpoint(self._tracker.q_rad, self._tracker.v_rad_s)
 
     def _stands_at(self, target_rad: float) -> bool:
         tracker = self._tracker
@@ -100,7 +104,7 @@ class OpenGripper(_GripperMotion):
         """Next setpoint, or None once the fingers are open."""
         self._keeper.pressing = False
         target = self._gripper.open_rad
-        arrived = abs(float(state.q[self._index]) - target) < self._arrived_rad
+        arrived = abs(self._joints.position(state.q) - target) < self._arrived_rad
         if elapsed_s > 0.0 and arrived and self._stands_at(target):
             return None
         return self._steer(target)
@@ -123,7 +127,7 @@ class CloseGripper(_GripperMotion):
         felt = reading.effort_nm >= _FELT * self._effort_nm
         # A thin thing meets the pads so late that the closed position never builds up the effort.
         closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
-        arrived = self._stands_at(target) and abs(float(state.q[self._index]) - target) < self._arrived_rad
+        arrived = self._stands_at(target) and abs(self._joints.position(state.q) - target) < self._arrived_rad
         if felt or closed or arrived:
             self._keeper.pressing = True
             return None

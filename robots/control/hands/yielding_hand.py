@@ -33,6 +33,7 @@ from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.sampler import MotionSample
 from kinematics.scene.opening_path import OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
+from robots.control.grip.hand_joints import HandJoints
 from robots.control.guarded.guarded_motion import MotionBounds
 from robots.control.hands.yield_settings import USUAL, Outcome, YieldReport, YieldSettings
 from robots.interface.gripper_reading import read_gripper
@@ -93,7 +94,7 @@ class YieldingHand:
         self._tracker = HandTracker(standing, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper, self._grip = model.description.grippers[hand], grip
-        self._gripper_index = model.description.actuated.index(self._gripper.joint)
+        self._fingers = HandJoints(model.description, hand)
         self._parts = tuple(dict.fromkeys(parts))
         self._scene_from, self._s_from, self._s_to = guarded_scene(scene), s_from, s_to
         self.scene, self._scene_s = self._scene_from, s_from
@@ -185,8 +186,8 @@ class YieldingHand:
         reading = read_gripper(
             self._gripper,
             self._grip,
-            float(state.q[self._gripper_index]),
-            float(state.effort[self._gripper_index]),
+            self._fingers.position(state.q),
+            self._fingers.effort(state.effort),
         )
         self._empty_s = 0.0 if reading.holding else self._empty_s + TICK_S
 

@@ -16,6 +16,7 @@ from kinematics.model.standing_robot import StandingRobot
 from robots.clock import ManualClock
 from robots.control.balance.balance import Balance
 from robots.control.balance.contact_watch import ContactWatch
+from robots.control.balance.felt_feet import with_felt_feet
 from robots.control.balance.sway_damping import SwayDamping
 from robots.control.events import ControlSink, MotionPaused, MotionResumed
 from robots.control.gate.authority import Authority
@@ -75,9 +76,8 @@ class ControlLoop:
             sink: Where events go.
             period_s: Control period.
         """
-        self._robot, self._model = robot, model
-        self._clock, self._sink = clock, sink
-        self._period_s = period_s
+        self._robot, self._model = with_felt_feet(robot, model), model
+        self._clock, self._sink, self._period_s = clock, sink, period_s
         self._bodies = len(model.joints)
         readings, hardware = robot.read(), robot.hardware
         data = RobotData(model.description, hardware)
@@ -85,7 +85,7 @@ class ControlLoop:
         standing = StandingRobot.of(model, stance_at(model, q))
         authority = Authority(model.description.actuated)
         keepers = {hand: GripKeeper(data, hand, start_rad, period_s) for hand, start_rad in fingers.items()}
-        actuated = np.concatenate([q[7:], list(fingers.values())])
+        actuated = np.concatenate([q[7:], *(keeper.joints_at for keeper in keepers.values())])
         self._balance = Balance(standing)
         self._sway = SwayDamping(data, period_s)
         self._estimator = base_estimate(standing)

@@ -21,5 +21,5 @@ def resting_start(model: RobotModel, measured: Array) -> tuple[Array, dict[Hand,
     joints = np.where(np.abs(measured - home) <= _AT_HOME_RAD, home, inside)
     by_name = dict(zip(description.actuated, joints.tolist(), strict=True))
     q = model.on_the_floor({name: by_name[name] for name in model.joints})
-    fingers = {hand: by_name[description.grippers[hand].joint] for hand in description.gripping_hands}
+    fingers = {hand: description.grippers[hand].position_of(by_name) for hand in description.gripping_hands}
     return q, fingers

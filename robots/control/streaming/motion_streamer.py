@@ -77,7 +77,7 @@ class MotionStreamer:
         self._body_handle: MotionHandle | None = None
         self._body_owner = ""
         self._waiting: tuple[CheckedTrajectory, MotionHandle] | None = None
-        self._bodies = len(model.joints)
+        self._bodies, self._actuated = len(model.joints), len(model.description.actuated)
         self._closed_for = ""
         self._latched_for = ""
         self._pause_wanted = False
@@ -217,7 +217,7 @@ class MotionStreamer:
 
     def propose(self, state: RobotState) -> Proposal:
         """Compute the setpoint one period ahead from the newest readings."""
-        n = self._bodies + len(self._guarded.keepers)
+        n = self._actuated
         q, v = np.empty(n), np.empty(n)
         for track in self._guarded.running:
             refusal = self._advance(track, state)

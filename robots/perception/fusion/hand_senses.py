@@ -35,13 +35,15 @@ def width_felt(opening_m: float, told_m: float, size_share: float) -> Innovation
     return seen.innovation(felt)
 
 
-def place_felt(weight: HeldCentre) -> Gaussian:
+def place_felt(weight: HeldCentre, held_at_m: float = 0.0) -> Gaussian:
     """Where a thing is in the hand that holds it, in the TCP's frame (x ahead, y across the opening).
 
     Args:
         weight: What was felt of its weight while the hand was at rest.
+        held_at_m: Where along the opening the fingers hold its middle.
     """
-    fingers = Gaussian(np.zeros(3), np.diag([_ALONG_PADS_M, _CENTRED_M, _BESIDE_PADS_M]) ** 2)
+    middle = np.array([0.0, held_at_m, 0.0])
+    fingers = Gaussian(middle, np.diag([_ALONG_PADS_M, _CENTRED_M, _BESIDE_PADS_M]) ** 2)
     found = weight.centre(fingers.mean, fingers.covariance)
     return fingers if found is None else Gaussian(*found)
 

@@ -198,7 +198,7 @@ def _rigidly_with(spec: mujoco.MjSpec, frame: str) -> frozenset[str]:
 
 
 def _tune_joints(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    grippers = [item.joint for item in description.grippers.values()]
+    grippers = set(description.gripper_joints)
     followers = {item.name1: item.name2 for item in spec.equalities}
     for joint in spec.joints:
         if joint.type == mujoco.mjtJoint.mjJNT_FREE:

@@ -55,6 +55,7 @@ class SimulatedRobot:
         imu = 0 if description.imu is None else 6
         self._sensor_sign = np.array([1.0] * imu + [-1.0] * 6 * len(description.soles))
         self._sigma = _sigmas(RobotData(description, physics.hardware))
+        self._feet_feel = 1.0 if description.foot_sensors else 0.0
         self._noise, self._noise_row = np.empty((0, len(self._sigma))), 0
         self._effort = np.zeros(self._count)
         self._target = np.array(self._qpos[self._joint_qpos])
@@ -103,7 +104,7 @@ class SimulatedRobot:
                 effort=noise[2 * n : 3 * n],
                 gyro=noise[3 * n : 3 * n + 3],
                 accelerometer=noise[3 * n + 3 : 3 * n + 6],
-                foot_wrench=noise[3 * n + 6 :].reshape(-1, 6),
+                foot_wrench=self._feet_feel * noise[3 * n + 6 :].reshape(-1, 6),
                 battery=self.battery,
             )
             self._late.append(self._reading)

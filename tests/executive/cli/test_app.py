@@ -80,7 +80,6 @@ def test_what_is_not_understood_moves_nothing_and_says_why(executive, text, code
     ("options", "says"),
     [
         (["--robot", "tallos"], "the nearest is 'talos'"),
-        (["--robot", "g1"], "g1' can plan but not carry out tasks yet"),
         (["--scene", "tabeltop"], "tabletop"),
         (["--scene", "none.toml"], "none.toml"),
         (["--report", "/nowhere/at/all/report.json"], "cannot write"),
@@ -484,7 +483,7 @@ def test_the_skills_of_a_robot_are_listed_with_what_it_lacks_for_the_others(exec
     lines = executive("list", "skills", "--robot", "panda").stdout.splitlines()
 
     assert "pick       pick up the red cup on the table" in lines
-    assert "walk_to    no: needs feet; panda stands on a welded base" in lines
+    assert any(line.startswith("walk_to    no: needs feet; panda stands on a welded base") for line in lines)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.planning.grasps import OPENING_RESERVE_M, grasp_table
 from kinematics.scene.planning_scene import SceneObject
+from robots.models.description import load_description
 
 
 def grasp_candidates(item, gripper, natural_yaw_rad, approach_m):
@@ -131,3 +132,52 @@ def test_how_far_fingertips_reach_below_what_they_grasp_from_above_is_the_grippe
         return min(grasp.world_T_tcp[2, 3] for grasp in found if tilt_of(grasp) > 85.0)
 
     assert lowest_m(short) < lowest_m(usual) - 0.01
+
+
+@pytest.fixture(scope="module")
+def palms():
+    return load_description("g1").grippers
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+@pytest.mark.parametrize("radius", [0.02, 0.03, 0.04])
+def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it(palms, hand, radius):
+    gripper = palms[hand]
+    item = SceneObject("bottle", Cylinder(radius, 0.2), poses.translation(0.4, -0.1, 0.8))
+
+    grasps = [c.grasp for c in grasp_candidates(item, gripper, 0.0, 0.1)]
+
+    assert grasps
+    for grasp in grasps:
+        _, y, _ = (poses.inverse(grasp.world_T_tcp) @ item.world_T_object)[:3, 3]
+        gap = abs(y - gripper.palm_side_m) - radius
+        assert gap == pytest.approx(gripper.beside_palm_m)
+        assert grasp.off_centre_m == pytest.approx(gripper.held_at_m(2 * radius))
+        # the palm is to the left of a left hand, and the thing on its other side
+        assert np.sign(y - gripper.palm_side_m) == (-1.0 if hand == "left" else 1.0)
+
+
+def test_fingers_that_wrap_around_are_not_led_in_from_above(palms):
+    item = SceneObject("bottle", Cylinder(0.03, 0.2), poses.translation(0.4, -0.1, 0.8))
+
+    tilts = {round(tilt_of(c.grasp)) for c in grasp_candidates(item, palms["right"], 0.0, 0.1)}
+
+    assert tilts == {0, 20, 40}
+
+
+@pytest.mark.parametrize(("width", "at"), [(0.01, 0.0196), (0.030, 0.0196), (0.0525, 0.006), (0.2, -0.024)])
+def test_where_a_thing_is_held_is_read_between_what_was_measured(palms, width, at):
+    assert palms["left"].held_at_m(width) == pytest.approx(at)
+    assert palms["right"].held_at_m(width) == pytest.approx(-at)
+
+
+@pytest.mark.parametrize("height", [0.10, 0.14, 0.22])
+def test_from_the_side_all_fingers_meet_what_they_wrap_around(palms, height):
+    gripper = palms["left"]
+    item = SceneObject("can", Cylinder(0.03, height), poses.translation(0.4, 0.1, 0.8))
+
+    level = [c.grasp for c in grasp_candidates(item, gripper, 0.0, 0.1) if abs(tilt_of(c.grasp)) < 1.0]
+
+    assert level
+    for grasp in level:
+        assert 0.8 + 0.5 * height - grasp.world_T_tcp[2, 3] >= gripper.side_overlap_m - 1e-9

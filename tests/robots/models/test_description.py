@@ -3,6 +3,7 @@
 import dataclasses
 import importlib.resources
 import math
+import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -103,17 +104,76 @@ def test_an_unknown_robot_is_refused_with_the_nearest_name():
         load_description("pandas")
 
 
-def test_a_robot_without_a_camera_says_so_when_one_asks_for_it():
-    with pytest.raises(MissingPartError, match="g1 has no camera"):
-        _ = load_description("g1").camera
+@pytest.fixture
+def written(tmp_path, monkeypatch):
+    """A robot "changed" whose data are G1's with a pattern of its file replaced."""
+
+    def write(pattern, by=""):
+        own = importlib.resources.files("robots.models") / "g1"
+        for name in ("description.toml", "disabled_collisions.toml"):
+            (tmp_path / name).write_text((own / name).read_text("utf-8"), "utf-8")
+        file = tmp_path / "description.toml"
+        text, count = re.subn(pattern, by, file.read_text("utf-8"), flags=re.DOTALL)
+        assert count
+        file.write_text(text, "utf-8")
+        monkeypatch.setattr(reader, "robot_folders", lambda: {"changed": tmp_path})
+        return "changed"
+
+    return write
 
 
-def test_a_robot_without_eyes_is_not_given_tasks():
-    with pytest.raises(DescriptionError, match=r"g1.* no camera"):
-        load_robot_for_tasks("g1")
+CAMERA = r"\[camera\].*?(?=\n\[)"
 
 
-@pytest.mark.parametrize("name", ["talos", "panda"])
+def test_a_robot_without_a_camera_says_so_when_one_asks_for_it(written):
+    with pytest.raises(MissingPartError, match="changed has no camera"):
+        _ = load_description(written(CAMERA)).camera
+
+
+def test_a_robot_without_eyes_is_not_given_tasks(written):
+    with pytest.raises(DescriptionError, match=r"changed.* no camera"):
+        load_robot_for_tasks(written(CAMERA))
+
+
+def test_the_motors_of_a_right_hand_turn_the_other_way_where_they_are_mirrored():
+    left, right = (load_description("g1").grippers[hand] for hand in ("left", "right"))
+
+    assert right.joints == tuple(name.replace("left", "right") for name in left.joints)
+    for position in (0.0, 0.4, 1.0):
+        assert right.joints_at(position) == pytest.approx([-at for at in left.joints_at(position)])
+    for ours, theirs in zip(left.pad_position_m, right.pad_position_m, strict=True):
+        assert theirs == pytest.approx((ours[0], -ours[1], ours[2]))
+
+
+def test_motors_stay_within_the_joints_limits_all_along():
+    description = load_description("g1")
+    for gripper in description.grippers.values():
+        for joint, *ends in zip(gripper.joints, gripper.joints_at(0.0), gripper.joints_at(1.0), strict=True):
+            low, high = description.limits[joint].position
+            assert low <= min(ends) <= max(ends) <= high, joint
+
+
+def test_each_motor_of_a_hand_has_an_effort_of_its_own():
+    limits = load_description("g1").limits
+
+    assert limits["right_hand_index_0_joint"].effort > limits["right_hand_index_1_joint"].effort
+
+
+@pytest.mark.parametrize(
+    ("pattern", "by", "says"),
+    [
+        (r"\[gripper\]", '[gripper]\njoint = "left_hand_thumb_1_joint"', "either a joint or a table motor"),
+        (r"open_rad = 1.0 ", "open_rad = 0.9 ", "from closed_rad = 0.0 to open_rad = 1.0"),
+        (r"\[\[gripper.motor\]\].*?(?=\n\n\[\[frame)", "", "either a joint or a table motor"),
+        (r"thumb_0_joint\"\nopen", 'thumb_9_joint"\nopen', "no joint 'left_hand_thumb_9_joint'"),
+    ],
+)
+def test_a_hand_that_cannot_be_driven_is_refused(written, pattern, by, says):
+    with pytest.raises(DescriptionError, match=says):
+        load_robot(written(pattern, by))
+
+
+@pytest.mark.parametrize("name", ["talos", "panda", "g1"])
 def test_a_robot_with_eyes_is_given_tasks(name):
     assert load_robot_for_tasks(name).description.missing_for_tasks == ()
 

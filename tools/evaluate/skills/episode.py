@@ -21,7 +21,7 @@ from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
-from tools.evaluate.scenes import BENCH, episode_rng, seen_by
+from tools.evaluate.scenes import episode_rng, seen_by
 from tools.evaluate.skills.faults import SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.suite import ANY_END, SkillJudge, Trial, Verdict
@@ -63,13 +63,13 @@ def trial_of(suite: str, seed: int, scene: str | None = None) -> Trial:
     Args:
         suite: Of a skill.
         seed: The episode's.
-        scene: "bench" for what an arm that is bolted down has before it; None for a room.
+        scene: "bench" for what an arm that is bolted down has before it, "low_tabletop" for a humanoid of a
+            child's size; None for a room.
 
     Raises:
         ValueError: The suite has no such episodes.
     """
-    found = SKILL_SUITES[suite]
-    make = found.trial if scene is None else found.on_bench if scene == BENCH else None
+    make = SKILL_SUITES[suite].makes(scene)
     if make is None:
         raise ValueError(f"the suite {suite} has no episodes in the scene {scene!r}")
     return make(episode_rng(seed, 10))

@@ -229,5 +229,10 @@ def _chosen(crowd: Sequence[Person], rng: np.random.Generator) -> Person:
 
 
 WAVE = SkillSuite(wave_trial, WaveJudge)
-POINT_AT = SkillSuite(point_trial, PointJudge, on_bench=partial(point_trial, where=rooms.BENCH))
+POINT_AT = SkillSuite(
+    point_trial,
+    PointJudge,
+    on_bench=partial(point_trial, where=rooms.BENCH),
+    on_low=partial(point_trial, where=rooms.LOW),
+)
 LOOK_AT = SkillSuite(look_trial, LookJudge)

@@ -155,4 +155,9 @@ def _meant(item: SceneItem) -> ObjectDescription:
     return ObjectDescription(item.kind, item.color)
 
 
-PLACE = SkillSuite(place_trial, PlaceJudge, on_bench=partial(place_trial, where=rooms.BENCH))
+PLACE = SkillSuite(
+    place_trial,
+    PlaceJudge,
+    on_bench=partial(place_trial, where=rooms.BENCH),
+    on_low=partial(place_trial, where=rooms.LOW),
+)

@@ -115,4 +115,9 @@ def container_on(
     return SceneItem(f"{color} {kind}", kind, color, shape, mass, 0.7, pose, WALL_M)
 
 
-PUT_IN = SkillSuite(put_in_trial, PutInJudge, on_bench=partial(put_in_trial, where=rooms.BENCH))
+PUT_IN = SkillSuite(
+    put_in_trial,
+    PutInJudge,
+    on_bench=partial(put_in_trial, where=rooms.BENCH),
+    on_low=partial(put_in_trial, where=rooms.LOW),
+)

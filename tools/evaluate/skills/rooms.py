@@ -50,6 +50,7 @@ class Workspace:
         radius_m: Of round things.
         box_m: Of boxes, the smallest and the largest.
         container_ahead_m, container_aside_m: Of containers, from the edge, and from the middle.
+        cup_height_m: Of cups that are to be picked up.
         most_people: Who stand about at once; none where the eyes look down at a bench.
     """
 
@@ -66,6 +67,7 @@ class Workspace:
     container_ahead_m: Range
     container_aside_m: float
     most_people: int
+    cup_height_m: Range = (0.08, 0.16)
 
 
 STANDING = Workspace(
@@ -100,6 +102,23 @@ BENCH = Workspace(
     most_people=0,
 )
 """Before an arm that is bolted to a pedestal as high as a table (the scenes named bench)."""
+LOW = Workspace(
+    table_height_m=(0.66, 0.76),
+    edge_ahead_m=(0.275, 0.29),
+    table_depth_m=(0.4, 0.6),
+    table_width_m=(0.9, 1.3),
+    room_at_edge_m=0.05,
+    deepest_m=0.12,
+    aside_m=0.30,
+    farthest_m=0.45,
+    radius_m=(0.02, 0.038),
+    box_m=((0.04, 0.04, 0.10), (0.06, 0.07, 0.16)),
+    container_ahead_m=(0.16, 0.26),
+    container_aside_m=0.25,
+    most_people=0,
+    cup_height_m=(0.10, 0.17),
+)
+"""Before a humanoid of a child's size, whose eyes look down (the scene named low_tabletop)."""
 
 
 def start(rng: np.random.Generator) -> RobotStart:

@@ -88,6 +88,7 @@ class SkillSuite:
         ends: How the last task is to end; an episode that ends so counts as claimed. "any" leaves it to the
             judge: a question or a no may be what is right.
         on_bench: Makes an episode before an arm that is bolted down; None where there is none for it.
+        on_low: Makes an episode before a low table; None where there is none for it.
         unnamed: Makes of an episode the same one where nobody can see what people are called.
     """
 
@@ -97,4 +98,9 @@ class SkillSuite:
     ends: str = "done"
     bar: float = SUCCESS_BAR
     on_bench: Callable[[np.random.Generator], Trial] | None = None
+    on_low: Callable[[np.random.Generator], Trial] | None = None
     unnamed: Callable[[Trial], Trial] | None = None
+
+    def makes(self, scene: str | None) -> Callable[[np.random.Generator], Trial] | None:
+        """What makes its episodes in a scene, by the scene's name; None where nothing does."""
+        return {None: self.trial, "bench": self.on_bench, "low_tabletop": self.on_low}.get(scene)

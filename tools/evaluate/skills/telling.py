@@ -137,6 +137,21 @@ def _many(rng: np.random.Generator, where: rooms.Workspace) -> tuple[Furniture, 
     return table, objects
 
 
-FIND = SkillSuite(find_trial, AnswerJudge, on_bench=partial(find_trial, where=rooms.BENCH))
-COUNT = SkillSuite(count_trial, AnswerJudge, on_bench=partial(count_trial, where=rooms.BENCH))
-DESCRIBE = SkillSuite(describe_trial, AnswerJudge, on_bench=partial(describe_trial, where=rooms.BENCH))
+FIND = SkillSuite(
+    find_trial,
+    AnswerJudge,
+    on_bench=partial(find_trial, where=rooms.BENCH),
+    on_low=partial(find_trial, where=rooms.LOW),
+)
+COUNT = SkillSuite(
+    count_trial,
+    AnswerJudge,
+    on_bench=partial(count_trial, where=rooms.BENCH),
+    on_low=partial(count_trial, where=rooms.LOW),
+)
+DESCRIBE = SkillSuite(
+    describe_trial,
+    AnswerJudge,
+    on_bench=partial(describe_trial, where=rooms.BENCH),
+    on_low=partial(describe_trial, where=rooms.LOW),
+)

@@ -182,9 +182,14 @@ class VerifyLift(GatheringLeaf):
         if found is None:
             return None
         view = self._views[-1]
-        felt = place_felt(self._centre)
+        felt = place_felt(self._centre, self._held_at_m())
         innovation = compare_places(felt, found, self._odom_T_tcp(view), view.frame.stamp_s)
         return innovation if innovation is not None and innovation.disagrees else None
+
+    def _held_at_m(self) -> float:
+        """Where along the opening the middle of the object is."""
+        grasp: Grasp = self.get_input("grasp")
+        return grasp.off_centre_m
 
     def _believe_the_hand(self, apart: Innovation) -> None:
         """Take the thing to be where the hand feels it, which holds it, and say that the camera errs."""
@@ -196,7 +201,7 @@ class VerifyLift(GatheringLeaf):
         )
         tell_disagreement(self.toolbox, failure.because(Reason.FELT_ELSEWHERE).at(self.where))
         tcp_T_object = body.frame_T_object.copy()
-        tcp_T_object[:3, 3] = place_by_hand(place_felt(self._centre), tcp_T_object[:3, 3])
+        tcp_T_object[:3, 3] = place_by_hand(place_felt(self._centre, self._held_at_m()), tcp_T_object[:3, 3])
         q = self.toolbox.sensing.state().q
         freed = scene.with_detached(target.name, self.toolbox.model.frame_pose(q, body.frame) @ tcp_T_object)
         self.toolbox.world.update(
