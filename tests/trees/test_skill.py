@@ -67,7 +67,7 @@ def test_what_is_no_skill_is_told_with_the_skills_that_there_are(stage):
 
 
 def test_every_folder_with_a_tree_of_a_task_has_its_record():
-    assert len(skills()) == 22
+    assert len(skills()) == 24
     assert all(name == skill.action for name, skill in skills().items())
 
 

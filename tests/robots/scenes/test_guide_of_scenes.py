@@ -8,7 +8,7 @@ from robots.scenes.scene_file import read_scene
 from tests import foreign_meshes as foreign
 
 GUIDE = (Path(__file__).parents[3] / "docs" / "extend" / "a-scene.md").read_text("utf-8")
-BREAKFAST, MESH, FRIDGE, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+BREAKFAST, MESH, FRIDGE, STOVE, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
 
 
 def test_the_guides_scene_can_be_read():
@@ -22,6 +22,12 @@ def test_the_guides_fridge_opens():
     scene = read_scene(FRIDGE, "fridge.toml", "fridge")
 
     assert scene.furniture[0].opens.hinge == "left"
+
+
+def test_the_guides_stove_has_a_knob():
+    scene = read_scene(STOVE, "stove.toml", "stove")
+
+    assert [control.kind for control in scene.furniture[0].controls] == ["knob"]
 
 
 def test_the_guides_rooms_are_on_the_map():
