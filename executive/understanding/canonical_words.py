@@ -13,8 +13,8 @@ from executive.config import cache_directory
 from executive.language.commands.moving import MAX_ANGULAR_RAD_S, MAX_LINEAR_M_S
 from executive.language.phrases.features import COUNTED_FROM
 from executive.meaning import Command, Refusal
-from executive.vocabulary import Vocabulary, load_vocabulary
-from executive.vocabulary.place_words import NOWHERE, PlaceWords, place_words
+from executive.vocabulary import NOWHERE, PlaceWords, Vocabulary, load_vocabulary
+from executive.vocabulary.place_words import place_words
 from robots.scenes.scene_words import nearest_word
 from trees.tasks import MoveTask, ObjectDescription, ObjectOf, Relation
 

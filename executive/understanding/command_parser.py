@@ -23,8 +23,8 @@ from executive.language.text.names import looks_like_a_name
 from executive.language.text.tokens import MalformedTextError, normalise, pieces_of
 from executive.language.text.word import Piece
 from executive.meaning import Command, Parsed, Question, Refusal, wording
-from executive.vocabulary import Vocabulary, load_vocabulary
-from executive.vocabulary.place_words import NOWHERE, PlaceWords, place_words
+from executive.vocabulary import NOWHERE, PlaceWords, Vocabulary, load_vocabulary
+from executive.vocabulary.place_words import place_words
 from executive.vocabulary.written import split_words
 from trees.tasks import ObjectDescription, SayTask
 

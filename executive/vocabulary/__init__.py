@@ -9,13 +9,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from executive.vocabulary.word_lists import WordClass, read_classes
 from robots.kept import kept
 from robots.outside import VOCABULARY, outside_files
 
-__all__ = ["Reading", "Vocabulary", "WordClass", "Words", "load_vocabulary"]
+__all__ = ["NOWHERE", "PlaceWords", "Reading", "Vocabulary", "WordClass", "Words", "load_vocabulary"]
 
 Words = tuple[str, ...]
 
@@ -28,6 +28,19 @@ class Reading:
     meaning: str
 
 
+class PlaceWords(NamedTuple):
+    """What is known of a place by its words.
+
+    Attributes:
+        things: Kinds, names and sorts of its things, in lower case, sorted.
+        people: Names of its people as they are written, sorted.
+    """
+
+    things: tuple[str, ...] = ()
+    people: tuple[str, ...] = ()
+
+
+NOWHERE = PlaceWords()
 _Beginning = tuple[tuple[int, ...], Mapping[Words, Sequence[Reading]]]
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-from executive.vocabulary.place_words import WORDS, PlaceWords
+from executive.vocabulary import PlaceWords
+from executive.vocabulary.place_words import WORDS
 from executive.vocabulary.written import split_words
 
 _LONGEST = 8

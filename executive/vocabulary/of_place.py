@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from executive.vocabulary import Vocabulary, line
-from executive.vocabulary.place_words import PlaceWords
+from executive.vocabulary import PlaceWords, Vocabulary, line
 from executive.vocabulary.with_things import with_things
 from executive.vocabulary.written import split_words
 

@@ -1,24 +1,11 @@
-"""The words of a place, known while somebody is spoken to there: what its things and people are called."""
+"""The words of the place where something is said, known while it is said."""
 
 from __future__ import annotations
 
 from contextvars import ContextVar
-from typing import NamedTuple
 
+from executive.vocabulary import NOWHERE, PlaceWords
 
-class PlaceWords(NamedTuple):
-    """What is known of a place by its words.
-
-    Attributes:
-        things: Kinds, names and sorts of its things, in lower case, sorted.
-        people: Names of its people as they are written, sorted.
-    """
-
-    things: tuple[str, ...] = ()
-    people: tuple[str, ...] = ()
-
-
-NOWHERE = PlaceWords()
 WORDS: ContextVar[PlaceWords] = ContextVar("words of the place", default=NOWHERE)
 """Set by ``words_of_the_place`` alone."""
 

@@ -181,13 +181,20 @@ def judge(module: Module) -> list[str]:
 
 
 def commander(module: Module) -> list[str]:
-    """Calls of a robot's ``command`` beside the gate; robots themselves define it."""
+    """Calls of a robot's ``command`` beside the gate; robots themselves define it, or pass it on."""
     if module.name == "robots.control.gate.setpoint_gate":
         return []
+    passed_on = {
+        id(node)
+        for method in ast.walk(module.tree)
+        if isinstance(method, ast.FunctionDef) and method.name == "command"
+        for node in ast.walk(method)
+    }
     return [
         f"{module.file}:{node.lineno}: only the gate commands a robot"
         for node in ast.walk(module.tree)
         if isinstance(node, ast.Attribute) and node.attr == "command" and "robot" in ast.unparse(node.value)
+        if id(node) not in passed_on
     ]
 
 

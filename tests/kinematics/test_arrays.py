@@ -97,6 +97,7 @@ WORKING = {
     "kinematics.planning.grasps.GraspTable",
     "kinematics.distance.solids.Solid",
     "kinematics.standing.leg_ik.LegGeometry",
+    "kinematics.standing.numeric_leg.LegChain",
     "kinematics.planning.pick_task.Way",
     "kinematics.planning.place_task.PlaceGoal",
     "kinematics.motion.sampler.MotionSample",

@@ -34,7 +34,7 @@ def test_a_planner_answers_as_its_request_says(talos, kind):
 
 
 def test_every_kind_of_request_is_looked_at():
-    assert len(KINDS) == 11
+    assert len(KINDS) == 13
 
 
 def test_a_check_is_no_planning(talos):

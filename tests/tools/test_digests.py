@@ -9,9 +9,9 @@ from tools.evaluate.digests import RecordedRun, carried_out, differences, planne
 def test_the_planned_runs_are_some_sixty_over_every_scene():
     runs = planned_runs()
 
-    assert len(runs) == 68
+    assert len(runs) == 69
     assert {run.scene for run in runs} == set(known_scenes())
-    assert {run.robot for run in runs} == {"talos", "panda"}
+    assert {run.robot for run in runs} == {"talos", "panda", "g1"}
 
 
 def test_a_run_again_is_the_same_and_another_seed_is_told():

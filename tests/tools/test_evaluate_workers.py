@@ -122,7 +122,7 @@ def test_what_was_kept_before_gets_a_name_of_its_own(tmp_path):
 def test_an_evaluation_that_is_told_to_end_keeps_its_records_and_goes_on_with_them(tmp_path):
     command = [sys.executable, "-m", "tools.evaluate", "say", "--episodes", "3", "--jobs", "1"]
     command += ["--failed", str(tmp_path), "--json", str(tmp_path / "say.json")]
-    kept = tmp_path / "say-seed0-x4.jsonl"
+    kept = tmp_path / "say-seed0-x3.jsonl"
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
         while not (kept.exists() and kept.read_text().count("\n") >= 1):
             assert process.poll() is None

@@ -110,8 +110,13 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
         ),
         "bench_clutter": ("put the red cup into the bowl", "what is on the table?"),
         "bench_drawers": ("open the drawer and close it",),
+        "low_tabletop": ("pick up the red bottle on the table",),
     }
 )
+
+
+_ROBOTS = {"bench": "panda", "low": "g1"}
+"""Whose scenes some are, by the first word of their names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +150,7 @@ def planned_runs() -> tuple[RecordedRun, ...]:
     """The sixty runs, each with a seed of its own."""
     pairs = [(scene, text) for scene, texts in _SAID.items() for text in texts]
     return tuple(
-        RecordedRun(text, scene, 100 + number, robot="panda" if scene.startswith("bench") else DEFAULT_ROBOT)
+        RecordedRun(text, scene, 100 + number, robot=_ROBOTS.get(scene.partition("_")[0], DEFAULT_ROBOT))
         for number, (scene, text) in enumerate(pairs)
     )
 

@@ -133,12 +133,13 @@ def _left_somewhere(told: Discourse, order: Order) -> Trouble | None:
 
 def _same_twice(told: Discourse, order: Order) -> Trouble | None:
     """Put the cup in the cup; put the ball in the red box and the box on the table."""
-    if order.said.action not in PUTS_DOWN or order.named is None or order.named.kind is None:
+    named = order.named or next((one.of for one in told.things if one.task == order.root), None)
+    if order.said.action not in PUTS_DOWN or named is None or named.kind is None:
         return None
     here = [one.of for one in (*told.places, *told.mentioned) if one.clause == told.clause]
-    filled = may_be_said_again(order.named) and any(says_more(of, order.named) for of in here)
-    if filled or (order.said.action != "hand_over" and _goal(order.said) == order.named):
-        return _asked(f"is it the same {order.named.kind} twice? say how they differ")
+    filled = order.named is not None and may_be_said_again(named) and any(says_more(of, named) for of in here)
+    if filled or (order.said.action != "hand_over" and _goal(order.said) == named):
+        return _asked(f"is it the same {named.kind} twice? say how they differ")
     return None
 
 

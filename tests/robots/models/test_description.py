@@ -116,7 +116,7 @@ def written(tmp_path, monkeypatch):
         text, count = re.subn(pattern, by, file.read_text("utf-8"), flags=re.DOTALL)
         assert count
         file.write_text(text, "utf-8")
-        monkeypatch.setattr(reader, "robot_folders", lambda: {"changed": tmp_path})
+        monkeypatch.setattr(reader, "robot_folder", lambda _name: tmp_path)
         return "changed"
 
     return write

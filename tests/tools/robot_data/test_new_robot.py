@@ -1,8 +1,10 @@
 """From a URDF to a checked reach by the guide's commands alone."""
 
+import os
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from tools.robot_data.drafting.guesses import Guesses
 from tools.robot_data.new import source_of
 from tools.robot_data.reach import reach
 
+ROOT = Path(__file__).resolve().parents[3]
 ARM = "ur_description/urdf/ur5_robot.urdf"
 TWO_ARMS = "tiago_description/robots/tiago_dual.urdf"
 BIPED = "romeo_description/urdf/romeo.urdf"
@@ -22,6 +25,7 @@ def tool(*words, folder):
     return subprocess.run(
         [sys.executable, "-m", "tools.robot_data", *words],
         cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
         timeout=280,

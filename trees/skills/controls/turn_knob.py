@@ -70,7 +70,7 @@ def looking(toolbox: Toolbox, gazes: Many[Gaze] = GAZES) -> Behaviour:
         sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), DetectControl("detect control", toolbox))
         for gaze in gazes
     ]
-    return Alternatives("look for it", looks, hopeless=what_was_seen_decides)
+    return Alternatives("look for it", looks, hopeless=what_was_seen_of_it_decides)
 
 
 def planned(toolbox: Toolbox, steps: Many[str]) -> Behaviour:
@@ -113,7 +113,7 @@ def verified(toolbox: Toolbox) -> Behaviour:
         sequence(f"look {gaze.name}", LookAt("look", toolbox, gaze), VerifyKnob("verify", toolbox))
         for gaze in GAZES
     ]
-    return Alternatives("verify", looks, hopeless=what_was_seen_decides)
+    return Alternatives("verify", looks, hopeless=what_was_seen_of_it_decides)
 
 
 def recover(toolbox: Toolbox) -> Behaviour:
@@ -129,7 +129,7 @@ def recover(toolbox: Toolbox) -> Behaviour:
 
 
 @judgement
-def what_was_seen_decides(failure: Failure) -> bool:
+def what_was_seen_of_it_decides(failure: Failure) -> bool:
     """A defect or a question: another look shows the same."""
     return defect(failure) or bool(failure.choices)
 
