@@ -114,7 +114,7 @@ def updated_scene(
             if stays:
                 objects[name] = item
                 parts = [part for part, of in zip(told, known_by, strict=True) if of == name]
-                alike = [part for part in parts if words_for(part) == words]
+                alike = [part for part in parts if words_for(part) == words or _may_be(part, item)]
                 if alike:
                     seen[name] = _as_known(before.get(name, alike[0]), item)
         taken = {*objects, *matched, *scene.attached, *reserved}
@@ -159,13 +159,20 @@ def _badly_seen(
             return name
         unsure = estimate.confidence < SURE or partial
         if kind_of(name) != words:
-            label = item.label
-            doubted = unsure or (label is not None and estimate.may_be(label.kind, label.color))
-            if doubted and _same_place(item, estimate) and not _could_hold(item, estimate):
+            if (
+                (unsure or _may_be(estimate, item))
+                and _same_place(item, estimate)
+                and not _could_hold(item, estimate)
+            ):
                 return name
         elif unsure and known_well and (_same_place(item, estimate) or _is_within(estimate, item)):
             return name
     return None
+
+
+def _may_be(estimate: ObjectEstimate, item: SceneObject) -> bool:
+    """Whether a sighting can be of a thing by its kind and its colour."""
+    return item.label is not None and estimate.may_be(item.label.kind, item.label.color)
 
 
 def _as_large(estimate: ObjectEstimate, item: SceneObject) -> bool:

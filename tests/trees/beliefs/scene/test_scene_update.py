@@ -346,6 +346,17 @@ def test_a_bottle_of_which_the_picture_shows_no_more_than_a_cup_is_still_that_bo
 
 
 @pytest.mark.requirement("P2")
+def test_a_bottle_that_looks_like_a_cup_or_a_bottle_is_seen():
+    bottle = seen("bottle", "green", at=(0.43, 0.31, 0.97), shape=Cylinder(0.034, 0.2))
+    before = look(PlanningScene(), bottle).scene
+    low = seen("cup", "green", at=(0.43, 0.31, 0.957), shape=Cylinder(0.034, 0.174))
+
+    update = look(before, replace(low, alike=("bottle",)), unseen=lambda item: True)
+
+    assert update.seen["green bottle"].shape == bottle.shape
+
+
+@pytest.mark.requirement("P2")
 def test_what_is_as_long_as_a_bowl_is_wide_is_the_bowl_seen_badly():
     bowl = seen("bowl", "white", at=(0.5, 0.0, 0.94), shape=Cylinder(0.086, 0.081))
     before = look(PlanningScene(), bowl).scene
