@@ -10,13 +10,13 @@ from kinematics.requests.grasp import Grasp
 from kinematics.scene.concessions import ConcessionReason, touching, with_touching
 from kinematics.scene.opening_path import DrawerLine
 from robots.control.hands.yield_order import YieldOrder
-from robots.control.motion_handle import MotionHandle, MotionStatus
+from robots.control.motion_handle import MotionHandle
 from trees.failures import Failure
+from trees.nodes.closing_leaf import ClosingLeaf
 from trees.nodes.contract import Contract
-from trees.nodes.leaf import DONE, RUNNING
-from trees.nodes.motion_leaf import MotionLeaf, motion_failure
+from trees.nodes.leaf import DONE
+from trees.nodes.motion_leaf import MotionLeaf
 from trees.nodes.ports import ports
-from trees.nodes.yielding_leaf import YieldingLeaf
 from trees.skills.controls.control_target import ControlTarget
 from trees.skills.controls.plan_control import hand_for
 
@@ -50,7 +50,7 @@ class MakeFist(MotionLeaf):
         return DONE
 
 
-class CloseOnKnob(YieldingLeaf):
+class CloseOnKnob(ClosingLeaf):
     """Close the fingers on the bar of a knob, while the arm gives way.
 
     Fingers that meet the bar off centre move the hand with them.
@@ -68,46 +68,16 @@ class CloseOnKnob(YieldingLeaf):
         on_cancel="the gripper keeps its state; the arm holds",
     )
 
-    _fingers: MotionHandle | None = None
-
-    def begin(self) -> None:
-        """Forget an earlier run."""
-        super().begin()
-        self._fingers = None
-
-    def start(self) -> MotionHandle | Failure:
-        """Let the arm yield."""
+    def order(self, grasp: Grasp) -> YieldOrder:
+        """Along what the knob looks, and no farther than it gives."""
         toolbox, control = self.toolbox, self.get_input("control")
-        grasp: Grasp = self.get_input("grasp")
         gripper = toolbox.model.description.grippers[grasp.hand]
         here = toolbox.model.frame_pose(toolbox.motion.reference(), gripper.tcp_frame)[:3, 3]
         ahead = control.inwards
         line = DrawerLine(here, math.atan2(float(ahead[1]), float(ahead[0])))
         held = touching(gripper.touch_links, (control.name,), ConcessionReason.HANDLE_IN_HAND, "close")
         scene = with_touching(toolbox.world.scene, held)
-        return self.lead(YieldOrder(grasp.hand, scene, (control.name,), line, 0.0, 0.0))
-
-    def step(self) -> Status | Failure:
-        """Yield, close, settle, judge."""
-        outcome = super().step()
-        if outcome is not RUNNING:
-            return outcome
-        if self._fingers is None:
-            if self.elapsed_s >= _QUIET_S:
-                grasp: Grasp = self.get_input("grasp")
-                self._fingers = self.toolbox.grippers[grasp.hand].close()
-            return RUNNING
-        if (ended := motion_failure(self._fingers)) is not None:
-            return ended
-        if self._fingers.status is not MotionStatus.RUNNING:
-            self.led.finish()
-        return RUNNING
-
-    def release(self, reason: str) -> None:
-        """Hold."""
-        if self._fingers is not None and not self._fingers.finished:
-            self.toolbox.motion.cancel(self._fingers, reason)
-        super().release(reason)
+        return YieldOrder(grasp.hand, scene, (control.name,), line, 0.0, 0.0)
 
     def finish(self) -> Status | Failure:
         """Judge what the fingers feel."""
@@ -118,7 +88,3 @@ class CloseOnKnob(YieldingLeaf):
             return Failure.postcondition("the fingers closed beside the knob", None, **reading.felt)
         self.feedback_message = f"holding, {reading}"
         return DONE
-
-
-_QUIET_S = 0.25
-"""Before the fingers move, the hand feels what counts as no force."""

@@ -6,21 +6,16 @@ from py_trees.common import Status
 
 from kinematics.requests.grasp import Grasp
 from robots.control.hands.yield_order import YieldOrder
-from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.openings.handles import HandleTarget
 from trees.failures import Failure
+from trees.nodes.closing_leaf import ClosingLeaf
 from trees.nodes.contract import Contract
-from trees.nodes.leaf import DONE, RUNNING
-from trees.nodes.motion_leaf import motion_failure
+from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
-from trees.nodes.yielding_leaf import YieldingLeaf
 from trees.skills.doors.handle.held_handle import HeldHandle, scene_of_hand, tcp_m
 
-_QUIET_S = 0.25
-"""Before the fingers move, the hand feels what counts as no force."""
 
-
-class GraspHandle(YieldingLeaf):
+class GraspHandle(ClosingLeaf):
     """Close the gripper on the bar of a handle while the arm gives way.
 
     Fingers that meet the bar off centre move the hand with them; where the hand comes to rest shows where the
@@ -39,40 +34,8 @@ class GraspHandle(YieldingLeaf):
         on_cancel="the gripper keeps its state; the arm holds",
     )
 
-    _fingers: MotionHandle | None = None
-
-    def begin(self) -> None:
-        """Forget an earlier run."""
-        super().begin()
-        self._fingers = None
-
-    def start(self) -> MotionHandle | Failure:
-        """Let the arm yield."""
-        return self.lead(self._order(self.get_input("grasp")))
-
-    def step(self) -> Status | Failure:
-        """Yield, close, settle, judge."""
-        outcome = super().step()
-        if outcome is not RUNNING:
-            return outcome
-        if self._fingers is None:
-            if self.elapsed_s >= _QUIET_S:
-                grasp: Grasp = self.get_input("grasp")
-                self._fingers = self.toolbox.grippers[grasp.hand].close()
-            return RUNNING
-        if (ended := motion_failure(self._fingers)) is not None:
-            return ended
-        if self._fingers.status is not MotionStatus.RUNNING:
-            self.led.finish()
-        return RUNNING
-
-    def release(self, reason: str) -> None:
-        """Hold."""
-        if self._fingers is not None and not self._fingers.finished:
-            self.toolbox.motion.cancel(self._fingers, reason)
-        super().release(reason)
-
-    def _order(self, grasp: Grasp) -> YieldOrder:
+    def order(self, grasp: Grasp) -> YieldOrder:
+        """Along the way of the handle."""
         target: HandleTarget = self.get_input("handle")
         toolbox = self.toolbox
         q = toolbox.motion.reference()
