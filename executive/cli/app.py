@@ -43,6 +43,7 @@ from robots.errors import (
     RenderingUnavailableError,
     SceneError,
     UnknownRobotError,
+    UnknownRobotFolderError,
 )
 from robots.live.wire.errors import LiveError
 
@@ -54,6 +55,7 @@ _ENVIRONMENT = (
     RenderingUnavailableError,
     SceneError,
     UnknownRobotError,
+    UnknownRobotFolderError,
 )
 """Faults of what was asked or of the machine: one line and exit code 2."""
 

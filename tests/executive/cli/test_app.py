@@ -500,3 +500,18 @@ def test_what_a_robot_has_no_part_for_is_refused_by_naming_the_part(executive, c
 
     assert result.exit_code == 1
     assert says in result.output
+
+
+@pytest.mark.requirement("U4")
+@pytest.mark.parametrize("command", ["run", "check"])
+def test_a_robot_that_is_no_folder_is_one_line(command, tmp_path):
+    ended = subprocess.run(
+        [sys.executable, "-m", "executive", command, "say hello", "--robot", str(tmp_path / "nowhere")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+    assert ended.returncode == ExitCode.INVALID
+    assert "expected a folder with a description.toml" in ended.stderr
+    assert "defect" not in ended.stderr

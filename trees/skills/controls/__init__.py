@@ -31,12 +31,12 @@ SKILLS = (
         tree=_turn,
         example="turn on the stove",
         verb="turn the knob of",
-        needs=frozenset({Need.HAND}),
+        needs=frozenset({Need.HAND, Need.BARS, Need.EYES}),
     ),
     Skill(
         task=PressTask,
         tree=_press,
         example="press the button on the coffee machine",
-        needs=frozenset({Need.HAND}),
+        needs=frozenset({Need.HAND, Need.EYES}),
     ),
 )
