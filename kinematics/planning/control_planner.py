@@ -112,12 +112,7 @@ class _ControlTask(PlanningTask):
 
     def planned(self, grasp: Grasp) -> ControlPlan | None:
         """The whole plan for one way, or None with the reason counted."""
-        self.considered += 1
-        plan = self._plan(grasp)
-        if isinstance(plan, str):
-            self.reasons[plan] += 1
-            return None
-        return plan
+        return self.tried(grasp, self._plan)
 
     def _plan(self, grasp: Grasp) -> ControlPlan | str:
         request, ik = self.request, self.ik_of(grasp.hand)

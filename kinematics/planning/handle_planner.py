@@ -155,12 +155,7 @@ class _HandleTask(PlanningTask):
 
     def planned(self, grasp: Grasp) -> HandlePlan | None:
         """The whole plan for one grasp, or None with the reason counted."""
-        self.considered += 1
-        plan = self._plan(grasp)
-        if isinstance(plan, str):
-            self.reasons[plan] += 1
-            return None
-        return plan
+        return self.tried(grasp, self._plan)
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
         request = self.request

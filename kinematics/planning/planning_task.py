@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from typing import TypeVar
 
 import numpy as np
 
@@ -28,6 +29,9 @@ from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import free_coordinates
 from kinematics.timing.balanced_timing import time_in_balance
 from kinematics.timing.curve_timing import Pace
+
+C = TypeVar("C")
+P = TypeVar("P")
 
 SELF_MARGIN_M = 0.005
 """Kept between the robot's own links where nothing else is said."""
@@ -78,6 +82,20 @@ class PlanningTask:
         self.x_start = self.space.start(request.q_start)
         self.reasons: Counter[str] = Counter()
         self.considered = 0
+
+    def tried(self, candidate: C, plan_of: Callable[[C], P | str]) -> P | None:
+        """The plan for a candidate, or None with the reason counted.
+
+        Args:
+            candidate: One of those that may do.
+            plan_of: Gives its plan, or why there is none.
+        """
+        self.considered += 1
+        plan = plan_of(candidate)
+        if isinstance(plan, str):
+            self.reasons[plan] += 1
+            return None
+        return plan
 
     def planner_in(
         self, scene: PlanningScene, like: PathPlanner | None = None, reserve_m: float | None = None

@@ -181,14 +181,18 @@ def judge(module: Module) -> list[str]:
 
 
 def commander(module: Module) -> list[str]:
-    """Calls of a robot's ``command`` beside the gate; robots themselves define it, or pass it on."""
+    """Calls of a robot's ``command`` beside the gate; robots themselves define it.
+
+    A robot around another one passes on what it is commanded, and nothing else.
+    """
     if module.name == "robots.control.gate.setpoint_gate":
         return []
     passed_on = {
         id(node)
-        for method in ast.walk(module.tree)
-        if isinstance(method, ast.FunctionDef) and method.name == "command"
-        for node in ast.walk(method)
+        for robot in ast.walk(module.tree)
+        if isinstance(robot, ast.ClassDef) and {"read", "command", "advance"} <= _methods(robot).keys()
+        for node in ast.walk(_methods(robot)["command"])
+        if ast.unparse(_methods(robot)["command"].body[-1]) == "self._robot.command(setpoint)"
     }
     return [
         f"{module.file}:{node.lineno}: only the gate commands a robot"
@@ -196,6 +200,10 @@ def commander(module: Module) -> list[str]:
         if isinstance(node, ast.Attribute) and node.attr == "command" and "robot" in ast.unparse(node.value)
         if id(node) not in passed_on
     ]
+
+
+def _methods(of: ast.ClassDef) -> dict[str, ast.FunctionDef]:
+    return {node.name: node for node in of.body if isinstance(node, ast.FunctionDef)}
 
 
 def environment(module: Module) -> list[str]:
@@ -332,6 +340,14 @@ def driving(module: Module) -> list[str]:
     ]
 
 
+AROUND = """
+class Around:
+    def read(self): ...
+    def command(self, setpoint):
+        self._robot.command(setpoint)
+    def advance(self, period_s): ...
+"""
+CHANGED_ON_THE_WAY = AROUND.replace("_robot.command(setpoint)", "_robot.command(other)")
 BREACHES = [
     (wrong_layer, "import trees.tasks", "robots/example.py"),
     (wrong_layer, "def f():\n    from executive.cli.app import main", "trees/example.py"),
@@ -367,6 +383,12 @@ BREACHES = [
     (judge, "from kinematics.kernel import search", "kinematics/checking/trajectory_checker.py"),
     (commander, "self._robot.command(setpoint)", "robots/control/loop/control_loop.py"),
     (commander, "send = world.robot.command", "executive/example.py"),
+    (commander, "def command(setpoint):\n    robot.command(setpoint)", "executive/example.py"),
+    (
+        commander,
+        CHANGED_ON_THE_WAY,
+        "robots/control/example.py",
+    ),
     (environment, "import os\nos.environ['HOME']", "executive/example.py"),
     (imported_again, "from math import pi\ndef f():\n    from math import tau", "trees/example.py"),
     (around, "from trees.beliefs.scene.believed_thing import surroundings", "trees/leaves/example.py"),
@@ -387,6 +409,7 @@ BREACHES = [
     (driving, "try:\n    next(steps)\nexcept StopIteration as end:\n    pass", "executive/example.py"),
 ]
 ALLOWED = [
+    (commander, AROUND, "robots/control/example.py"),
     (patching, "import sys\nsys.stdout = stream", "executive/example.py"),
     (patching, "from rich.text import Text\nText('a').style = 'bold'", "executive/example.py"),
     (patching, "import numpy as np\na = np.zeros(3)\na[0] = 1", "kinematics/example.py"),

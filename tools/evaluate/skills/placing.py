@@ -49,8 +49,16 @@ class PlaceJudge:
         """The last plan of a place counts."""
         if isinstance(event, Measured) and event.where.endswith("plan place"):
             self._plan = dict(event.numbers)
-            (held,) = self._world.scene.attached.values()
-            self._believed = held.body.shape if isinstance(held.body.shape, Box) else None
+            self._believed = self._believed_box()
+
+    def _believed_box(self) -> Box | None:
+        """The box in a hand as it is believed to be; the other hand may hold something as well."""
+        aim = next(one for one in self._trial.scene.objects if one.name == self._trial.aim)
+        for held in self._world.scene.attached.values():
+            shape, label = held.body.shape, held.body.label
+            if isinstance(shape, Box) and label is not None and label.color == aim.color:
+                return shape
+        return None
 
     def on_period(self) -> None:
         """Only the end counts."""

@@ -88,12 +88,16 @@ def updated_scene(
             what was badly seen, a part of a thing as a rule, a good one says what it is.
     """
     groups: dict[str, list[ObjectEstimate]] = {}
-    told = list(estimates)
-    known_by = [_badly_seen(estimate, scene, before) for estimate in told]
-    seen_now = [estimate for estimate, name in zip(told, known_by, strict=True) if name is None]
-    something = [estimate for estimate, name in zip(told, known_by, strict=True) if name is not None]
-    for estimate in seen_now:
+    parts_of: dict[str, list[ObjectEstimate]] = {}
+    seen_now: list[ObjectEstimate] = []
+    for estimate in estimates:
+        name = _badly_seen(estimate, scene, before)
+        if name is not None:
+            parts_of.setdefault(name, []).append(estimate)
+            continue
+        seen_now.append(estimate)
         groups.setdefault(words_for(estimate), []).append(estimate)
+    something = [part for parts in parts_of.values() for part in parts]
     objects: dict[str, SceneObject] = {}
     seen: dict[str, ObjectEstimate] = {}
     known_words = [kind_of(name) for name in scene.objects]
@@ -107,16 +111,18 @@ def updated_scene(
             if name in matched:
                 continue
             moved = bool(strangers) and (may_have_moved or is_name(name))
-            there = could_be_unseen(item) or name in known_by or _place_taken(item, something)
+            there = could_be_unseen(item) or name in parts_of or _place_taken(item, something)
             hidden = not moved and there and not _place_taken(item, seen_now)
             partial = name in before and before[name].cut and _is_part(before[name], seen_now)
             stays = hidden and not partial if item.movable else not (moved and is_name(name))
             if stays:
                 objects[name] = item
-                parts = [part for part, of in zip(told, known_by, strict=True) if of == name]
-                alike = [part for part in parts if words_for(part) == words or _may_be(part, item)]
-                if alike:
-                    seen[name] = _as_known(before.get(name, alike[0]), item)
+                parts = parts_of.get(name, ())
+                alike = next(
+                    (part for part in parts if words_for(part) == words or _may_be(part, item)), None
+                )
+                if alike is not None:
+                    seen[name] = _as_known(before.get(name, alike), item)
         taken = {*objects, *matched, *scene.attached, *reserved}
         for estimate in sorted(strangers, key=_face_m2, reverse=True):  # "table" is its top, not a leg
             name = _free_name(words, taken)
@@ -159,11 +165,8 @@ def _badly_seen(
             return name
         unsure = estimate.confidence < SURE or partial
         if kind_of(name) != words:
-            if (
-                (unsure or _may_be(estimate, item))
-                and _same_place(item, estimate)
-                and not _could_hold(item, estimate)
-            ):
+            doubted = unsure or _may_be(estimate, item)
+            if doubted and _same_place(item, estimate) and not _could_hold(item, estimate):
                 return name
         elif unsure and known_well and (_same_place(item, estimate) or _is_within(estimate, item)):
             return name
@@ -177,9 +180,11 @@ def _may_be(estimate: ObjectEstimate, item: SceneObject) -> bool:
 
 def _as_large(estimate: ObjectEstimate, item: SceneObject) -> bool:
     """Whether what is seen of a thing is about as long, wide and high as it is known to be."""
-    return all(
-        extent_m(estimate.shape) > _ALL_OF_IT * extent_m(item.shape)
-        for extent_m in (_width_m, _length_m, _height_m)
+    seen, known = estimate.shape, item.shape
+    return (
+        _width_m(seen) > _ALL_OF_IT * _width_m(known)
+        and _length_m(seen) > _ALL_OF_IT * _length_m(known)
+        and seen.height_m > _ALL_OF_IT * known.height_m
     )
 
 
@@ -255,10 +260,6 @@ def _reaches(shape: Shape, world_T_shape: Transform, place: Array, room_m: float
 
 def _width_m(shape: Shape) -> float:
     return min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
-
-
-def _height_m(shape: Shape) -> float:
-    return shape.height_m
 
 
 def _length_m(shape: Shape) -> float:
