@@ -157,13 +157,13 @@ class Eyes:
         things: tuple[Thing, ...] = ()
         if segments.count:
             samples = sample(cloud, segments, ground)
-            things = self._things(cloud, segments, samples, light)
+            things = tuple(self._things(cloud, segments, samples, light).values())
         people = tuple(find_people(about.without(cloud), light))
-        things += self._in_hands(cloud, segments, surfaces, people, light)
         pieces = [piece for piece in pieces if "legs" not in piece.assumed or not _is_of(people, piece)]
         things = tuple(
             thing for thing in things if not any(_holds(one, thing.solid.place_m) for one in people)
         )
+        things += self._in_hands(cloud, segments, surfaces, people, light)
         return Seen(things, tuple(pieces), people, surfaces, light, cloud, segments.labels, tilt)
 
     def detect(self, picture: Picture, sequence: int) -> PerceptionFrame:
@@ -185,15 +185,20 @@ class Eyes:
         for surface in surfaces:
             on = surface.pixels.repeat(2, axis=0).repeat(2, axis=1)
             others |= on | above(cloud, surface)
-        found, ground = in_hands(cloud, people, others, smoothed_tint(cloud.picture.color))
-        if not found.count:
+        tint = smoothed_tint(as_in_daylight(cloud.picture.color, light))
+        found = in_hands(cloud, people, others, tint)
+        if not found.segments.count:
             return ()
-        things = self._things(cloud, found, sample(cloud, found, ground), light)
+        samples = sample(cloud, found.segments, found.lowest_m)
+        things = self._things(cloud, found.segments, samples, light)
         return tuple(
-            replace(thing, call=held(thing.call)) for thing in things if thing.there >= _LEAST_IN_HAND
+            replace(thing, call=held(thing.call))
+            for number, thing in things.items()
+            if thing.there >= (LEAST_THERE if found.distinct[number] else _LEAST_IN_HAND)
         )
 
-    def _things(self, cloud: Cloud, segments: Segments, samples: Samples, light: Light) -> tuple[Thing, ...]:
+    def _things(self, cloud: Cloud, segments: Segments, samples: Samples, light: Light) -> dict[int, Thing]:
+        """By the number of the piece that each was made of, from 0 on."""
         solids, whole = find_solids(cloud, samples)
         calls = by_shape(solids)
         image = cloud.picture.color
@@ -206,8 +211,8 @@ class Eyes:
         names, shares, off = name_colors(values)
         belief = confidences(samples, solids, calls, shares, off)
         whole &= apart(solids, np.where(whole, belief.there, 0.0))
-        return tuple(
-            Thing(
+        return {
+            k: Thing(
                 solid=solids[k],
                 call=calls[k],
                 color=names[k] if shown.used[k] > 0.0 else None,
@@ -221,7 +226,7 @@ class Eyes:
             )
             for k in range(segments.count)
             if whole[k] and not _is_huge(solids[k]) and not _is_flat(solids[k])
-        )
+        }
 
 
 def _is_of(people: Sequence[SeenPerson], piece: Piece) -> bool:

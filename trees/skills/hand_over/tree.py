@@ -18,10 +18,10 @@ from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.hand_over.await_pull import AwaitPull
 from trees.skills.hand_over.give import Give
+from trees.skills.hand_over.look_at_taker import LookAtTaker
 from trees.skills.hand_over.offer import Offer
 from trees.skills.hand_over.settings import HandOverSettings
 from trees.skills.hand_over.verify_taken import VerifyTaken
-from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.search_place import search_place
 from trees.skills.walking.ready_to_walk import ReadyToWalk
 from trees.toolbox import Toolbox
@@ -66,13 +66,12 @@ def _find_the_person(toolbox: Toolbox) -> Behaviour:
 
 
 def _see_who_has_it(toolbox: Toolbox) -> Behaviour:
-    """Where it was offered and below, then at the height of people."""
-    level = toolbox.policy.level_gazes[0]
+    """Where it was offered and below, then at who took it, the head and what is in the hands."""
     ways: list[Behaviour] = [
         Sequence(name, memory=True, children=[look, VerifyTaken(f"verify taken {where}", toolbox)])
         for name, where, look in (
             ("look where it was", "below", LookAtPlacement("look below", toolbox)),
-            ("look at the person", "ahead", LookAt("look up", toolbox, level)),
+            ("look at the person", "ahead", LookAtTaker("look up", toolbox)),
         )
     ]
     return Alternatives("see who has it", ways, hopeless=seen_elsewhere)

@@ -20,13 +20,14 @@ FIST = (Ball(0.035), AXIS_X - 0.40, -0.1, 0.0, SKIN, 0.24)
 PERSON = SeenPerson(poses.translation(AXIS_X, 0.0, 0.9), Cylinder(0.24, 1.75), ("standing",), 0.95, True)
 
 
-def found(*more):
+def found(*more, people=(PERSON,)):
     """Places of the pieces that are found in the hands of somebody who holds these, shape (n, 3)."""
     camera = odom_T_camera(height_m=1.4, ahead_m=0.2, tilt_rad=0.25)
     cloud = cloud_of(traced([TRUNK, FOREARM, FIST, *more], place=camera))
     others = cloud.z < TABLE_M + 0.02
-    pieces, ground = in_hands(cloud, [PERSON], others, smoothed_tint(cloud.picture.color))
-    assert len(ground) == pieces.count
+    held_out = in_hands(cloud, people, others, smoothed_tint(cloud.picture.color))
+    pieces = held_out.segments
+    assert len(held_out.lowest_m) == len(held_out.distinct) == pieces.count
     masks = [pieces.labels == number for number in range(1, pieces.count + 1)]
     return np.array([[np.median(axis[mask]) for axis in (cloud.x, cloud.y, cloud.z)] for mask in masks])
 
@@ -43,6 +44,30 @@ def test_what_stands_on_a_fist_is_one_piece(color):
 @pytest.mark.requirement("P2")
 def test_an_empty_hand_holds_nothing():
     assert len(found()) == 0
+
+
+@pytest.mark.requirement("P2")
+def test_what_is_held_right_before_the_trunk_is_told_by_its_colour():
+    can = (Cylinder(0.03, 0.12), AXIS_X - 0.20, 0.02, 0.0, GREEN, 0.30)
+    (place,) = found(can)
+
+    assert place == pytest.approx([AXIS_X - 0.23, 0.02, TABLE_M + 0.36], abs=0.03)
+
+
+def test_a_patch_on_the_clothes_is_nothing_that_is_held():
+    belt = (Cylinder(0.152, 0.10), AXIS_X, 0.0, 0.0, GREEN, 0.30)
+    patch = (Box((0.04, 0.10, 0.12)), AXIS_X - 0.132, 0.0, 0.0, GREEN, 0.45)
+
+    assert len(found(belt)) == 0
+    assert len(found(patch)) == 0
+
+
+def test_the_body_of_who_stands_beside_is_not_in_ones_hands():
+    beside = (Box((0.15, 0.16, 0.16)), AXIS_X, 0.55, 0.0, SKIN, 0.3)
+    neighbour = SeenPerson(
+        poses.translation(AXIS_X, 0.55, 0.9), Cylinder(0.24, 1.75), ("standing",), 0.95, True
+    )
+    assert len(found(beside, people=(PERSON, neighbour))) == 0
 
 
 def test_a_slim_thing_on_a_hand_may_be_any_slim_kind():
