@@ -1,7 +1,9 @@
 """Giving things to people: whoever pulls, nobody, somebody else, and what is never claimed."""
 
+import numpy as np
 import pytest
 
+from kinematics.ik.body_gaze import off_axis_rad
 from kinematics.requests.gesture import OfferRequest
 from robots.fake.fake_world import cup, person, table
 from tests.trees.household_stage import ANA, RED_CUP, asked, run
@@ -81,6 +83,27 @@ def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
 
     assert tree.status == "failure"
     assert "was let go, and is not seen with Ana" in tree.failure.message
+
+
+def test_who_took_it_is_looked_at_with_face_and_hands(stage_with):
+    stage = stage_with(table(), cup(), ANA)
+    stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
+    stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
+    seen_rad = []
+
+    def note():
+        model, q = stage.toolbox.model, stage.toolbox.motion.reference()
+        ana = stage.told.scene.objects["Ana"]
+        at, crown_m = ana.world_T_object[:2, 3], ana.world_T_object[2, 3] + 0.5 * ana.shape.height_m
+        heights = (crown_m, 1.05)
+        seen_rad.extend(off_axis_rad(model, q, np.array([*at, z])) for z in heights)
+
+    stage.when("verify taken ahead", note)
+    run(stage, HandOverTask("give it to Ana", RED_CUP, "Ana"))
+
+    camera = stage.toolbox.model.description.camera
+    assert len(seen_rad) == 2
+    assert max(seen_rad) < 0.5 * camera.vertical_fov_rad
 
 
 @pytest.mark.requirement("M2", "M3")
