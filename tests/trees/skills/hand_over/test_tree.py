@@ -86,7 +86,7 @@ def test_a_gift_that_is_nowhere_to_be_seen_is_not_claimed(stage_with):
 
 
 def test_who_took_it_is_looked_at_with_face_and_hands(stage_with):
-    stage = stage_with(table(), cup(), ANA)
+    stage = stage_with(table(), cup(), person("Ana", (1.0, -0.5)))
     stage.when("wait for the pull", lambda: stage.fake.pull_n.update(right=(5.0, 0.0, 0.0)), 10)
     stage.when("let it go", lambda: stage.fake.world.remove("red cup"))
     seen_rad = []
