@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import math
 
-from executive.manual.base_room import hand_meets, why_no_room
+from executive.manual.base_room import body_meets, slower, why_no_room
 from executive.manual.standing_look import StandingLook
 from executive.manual.words import BaseJog, GripJog, HeardWord, JogFeed
+from kinematics.arrays import Array
 from kinematics.following.jog_reference import HandJog, JointJog
 from kinematics.model.robot_description import Hand
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.walking.pattern.steering import VelocitySteering
+from kinematics.walking.route.swept_body import SweptBody
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.skills.walking.walking_leaf import without_held
 from trees.skills.walking.walking_room import walking_room
@@ -46,6 +48,8 @@ class ManualControl:
         self._scene_version = -1
         self._looked_s = -math.inf
         self._blocked = ""
+        self._asked: BaseJog | None = None
+        self._allowed = BaseJog(0.0, 0.0)
 
     @property
     def at_rest(self) -> bool:
@@ -173,15 +177,16 @@ class ManualControl:
         walking, settings = self._toolbox.walking, self._toolbox.model.description.walking
         if walking is None or settings is None:
             return f"{self._toolbox.model.description.name} cannot walk here"
-        wanted = (word.linear_m_s, word.angular_rad_s)
         if self._jogging is not None and not self._jogging.handle.finished:
             return ""  # it comes to rest first
-        if wanted == (0.0, 0.0):
+        if word == BaseJog(0.0, 0.0):
             self._stand()
             return ""
-        if why := self._why_no_way(word, settings):
+        word = self._roomy(word, settings)
+        wanted = (word.linear_m_s, word.angular_rad_s)
+        if wanted == (0.0, 0.0):
             self._stand()
-            return why
+            return self._blocked
         if self._walk is None:
             if walking.active:
                 return ""  # its last steps
@@ -194,7 +199,7 @@ class ManualControl:
         elif wanted != self._wanted:
             walking.steer(self._walk, VelocitySteering(settings, *wanted, quick=True))
             self._wanted = wanted
-        return ""
+        return self._blocked
 
     def _stand(self) -> None:
         """Bring a walk to its end; it is forgotten once the robot stands."""
@@ -208,20 +213,34 @@ class ManualControl:
             walking.finish(walk)
             self._finishing = True
 
-    def _why_no_way(self, word: BaseJog, settings: WalkingSettings) -> str:
-        """What is in the way of hands and body; looked at a few times a second."""
+    def _roomy(self, word: BaseJog, settings: WalkingSettings) -> BaseJog:
+        """The word as fast as hands and body have room; looked at a few times a second, or for a new word."""
         toolbox, now_s = self._toolbox, self._toolbox.clock.now_s()
         if toolbox.ranging is None:
-            return ""
-        if now_s - self._looked_s < _LOOK_EVERY_S:
-            return self._blocked
+            return word
+        if word == self._asked and now_s - self._looked_s < _LOOK_EVERY_S:
+            return self._allowed
+        self._allowed, self._asked = BaseJog(0.0, 0.0), word
         points = toolbox.ranging.scan()
         if points is None:
-            return "the range sensor has shown nothing yet"
+            self._blocked = "the range sensor has shown nothing yet"
+            return self._allowed
         self._looked_s = now_s
-        q, scene = toolbox.sensing.state().q, toolbox.world.scene
-        self._blocked = hand_meets(toolbox.model, q, scene, settings, word)
-        if not self._blocked and not (word.linear_m_s == 0.0 and self._walk is not None):
-            room = walking_room(toolbox, settings)
-            self._blocked = why_no_room(room, without_held(toolbox, points), settings, word)
-        return self._blocked
+        seen, whys = without_held(toolbox, points), list[str]()
+        body = SweptBody(toolbox.model, toolbox.sensing.state().q, toolbox.world.scene, settings)
+        for tried in slower(word):
+            if not (why := self._why_no_way(tried, settings, body, seen)):
+                self._allowed = tried
+                break
+            whys.append(why)
+        self._blocked = whys[0] if whys else ""
+        return self._allowed
+
+    def _why_no_way(self, word: BaseJog, settings: WalkingSettings, body: SweptBody, points: Array) -> str:
+        """What is in the way of hands and body."""
+        toolbox = self._toolbox
+        if why := body_meets(body, settings, word):
+            return why
+        if word.linear_m_s == 0.0 and self._walk is not None:
+            return ""
+        return why_no_room(walking_room(toolbox, settings), points, settings, word)

@@ -291,3 +291,8 @@ def stopping_distance_m(settings: WalkingSettings, linear_m_s: float) -> float:
     by half as much again.
     """
     return abs(linear_m_s) * (_REACTION_S + 1.5 * settings.step_s) + _ROOM_M
+
+
+def stopping_turn_rad(settings: WalkingSettings, angular_rad_s: float) -> float:
+    """How far a robot at this turning speed may still turn after it was told to stop, with some room."""
+    return abs(angular_rad_s) * (_REACTION_S + 1.5 * settings.step_s) + _TURNED_RAD

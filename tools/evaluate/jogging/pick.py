@@ -32,6 +32,8 @@ _WAYPOINT_S = 25.0
 _REACH_M = 0.6
 """From the base to what a hand takes comfortably."""
 _WALK_S = 0.3
+_CAME_M = 0.01
+"""Held back, it came no nearer than this: there is no room."""
 _LIFTED_M = 0.03
 _HELD_BACK_S = 0.4
 _LINEAR_KEYS = (("up", "down"), ("left", "right"), (";", "."))
@@ -78,7 +80,8 @@ class Fetcher:
             yield from held("i", min(_WALK_S + max(ahead_m - _REACH_M, 0.0) / 0.2, 2.0))
             told = self._assembly.session.hands.feed.told
             yield from silent(2.6)
-            if "obstacle" in told:
+            came_m = float(np.linalg.norm(self._truth.world_T_base()[:2, 3] - base[:2, 3]))
+            if told and came_m < _CAME_M:
                 return
 
     def _cup(self) -> Array:
