@@ -29,6 +29,7 @@ SUITES = (
     "ros",
     "startup",
     "view",
+    "eyes",
 )
 
 
@@ -73,6 +74,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.checker import checker
     from tools.benchmark.collision import collision
     from tools.benchmark.control import control
+    from tools.benchmark.eyes import eyes
     from tools.benchmark.ik import ik
     from tools.benchmark.peers.environments import PeerEnvironment
     from tools.benchmark.pick import pick
@@ -101,6 +103,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
         "control": control,
         "ros": ros,
         "startup": startup,
+        "eyes": eyes,
     }
     if suite == "view":  # needs a browser
         from tools.benchmark.view import view
