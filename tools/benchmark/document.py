@@ -83,6 +83,7 @@ _TEXTS = {
     "control": "A control period with everything in it, beside physics alone.\n",
     "ros": "Joint states on the wire, from stamp to arrival, beside a bare pair of DDS at the same time.\n",
     "view": "The page in Debian's Chromium without a graphics card, on the same cores; wall time.\n",
+    "eyes": "The same picks seen through either, taking turns; what the camera draws and looks at counts.\n",
     "startup": "Fresh processes, beside one that only imports the libraries.\n",
 }
 
