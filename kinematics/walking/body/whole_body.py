@@ -27,6 +27,8 @@ from kinematics.walking.pattern.pattern_sample import PatternSample
 
 _BASE = 4
 """Base coordinates before the joints: x, y, z, heading."""
+_AROUND = 3
+"""Instants that a reference is the mean of."""
 
 
 class OutOfReachError(KinematicsError):
@@ -123,18 +125,23 @@ class WholeBody:
         """Take the pattern's next instant in; gives the reference of the instant before it.
 
         Raises:
-            OutOfReachError: A foot cannot be reached.
+            OutOfReachError: A foot cannot be reached, or could not be a moment ago: the reference of an
+                instant needs those around it.
         """
         self._t_s += self._period_s
-        self._rows = [self._rows[1], self._rows[2], self._row(sample)]
+        row = self._row(sample)
+        self._rows = [] if row is None else [*self._rows[-2:], row]
+        if len(self._rows) < _AROUND:
+            raise OutOfReachError("a step is out of the legs' reach")
         before, now, after = self._rows
         dt = self._period_s
         smooth = 0.25 * (before + 2.0 * now + after)
         velocity = (after - before) / (2.0 * dt)
         return self._sample(smooth, velocity, (after - 2.0 * now + before) / (dt * dt))
 
-    def _row(self, sample: PatternSample) -> Array:
+    def _row(self, sample: PatternSample) -> Array | None:
         q = self._q
+        legs = q[self._columns]
         left, right = sample.feet["left"], sample.feet["right"]
         heading = PlanarPose.between(left, right).yaw_rad
         share = min(1.0, self._t_s / self._blend_s)
@@ -147,7 +154,8 @@ class WholeBody:
             foot = sample.feet[side]
             self._feet[k] = (foot.x_m, foot.y_m, sample.lift_m[side], foot.yaw_rad)
         if not self._legs.fill(q, base_R, self._feet):
-            raise OutOfReachError("a step is out of the legs' reach")
+            q[self._columns] = legs
+            return None
         com = pin.centerOfMass(self._pin, self._data, q, False)
         self._offset += np.array(sample.com.com) - com[:2]
         row: Array = np.empty(_BASE + len(q) - 7)

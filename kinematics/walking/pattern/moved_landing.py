@@ -104,7 +104,11 @@ class LandingMover:
             swing.redirect(before, step.since_s)
             return None
         kept = self._points.nearest(zmp, step.standing, foot, self._settings.zmp_inset_m)
-        return MovedLanding(after, self._route.rest_of_swing(swing, step.since_s, kept))
+        stretches = self._route.rest_of_swing(swing, step.since_s, kept)
+        if not self._reached(step, after, stretches):
+            swing.redirect(before, step.since_s)
+            return None
+        return MovedLanding(after, stretches)
 
     def caught(
         self, step: UnderWay, error: Point, steering: Steering, odom_T_plan: PlanarPose
@@ -155,13 +159,23 @@ class LandingMover:
         steps = [Footstep(first.side, landing, first.advance, body), *later]
         swing.redirect(landing, step.since_s)
         stretches = self._route.rest_of_swing(swing, step.since_s, self._leading(step, steps))
-        left_s = sum(stretch.duration_s for stretch in stretches)
-        on = [*stretches, *self._route.after_swing(step.feet, steps)[:1]]
-        com, dcm, reach_m = step.now.com, step.now.dcm, self._settings.stride_reach_m
-        if not legs_reach(on, com, dcm, self._omega, [standing], landing, left_s, reach_m):
+        if not self._reached(step, steps, stretches):
             swing.redirect(before, step.since_s)
             return None
         return MovedLanding(steps, stretches)
+
+    def _reached(self, step: UnderWay, steps: list[Footstep], stretches: list[ZmpStretch]) -> bool:
+        """Whether the legs reach the foot that stands and the one in the air, until both carry."""
+        on = [*stretches, *self._route.after_swing(step.feet, steps)[:1]]
+        return legs_reach(
+            on,
+            step.now.com,
+            step.now.dcm,
+            self._omega,
+            step.feet[step.standing],
+            lambda t_s: step.swing.at(step.since_s + t_s)[0],
+            self._settings.stride_reach_m,
+        )
 
     def _left_s(self, step: UnderWay) -> float:
         return self._settings.single_support_s - step.since_s

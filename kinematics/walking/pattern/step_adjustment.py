@@ -50,20 +50,18 @@ def legs_reach(
     com: Point,
     dcm: Point,
     omega: float,
-    feet: Sequence[PlanarPose],
-    landing: PlanarPose,
-    swing_s: float,
+    standing: PlanarPose,
+    flying: Callable[[float], PlanarPose],
     reach_m: float,
 ) -> bool:
-    """Whether no foot on the floor gets too far from the CoM.
+    """Whether no foot gets too far from the CoM, neither the one that stands nor the one in the air.
 
     Args:
         stretches: What the ZMP does, from now on.
         com, dcm: Of the plan, now.
         omega: Natural frequency, 1/s.
-        feet: On the floor all the while.
-        landing: On the floor after ``swing_s``.
-        swing_s: Time until the landing.
+        standing: The foot on the floor.
+        flying: Above which place the other one is so many seconds from now; where it lands from then on.
         reach_m: Most distance over the floor.
     """
     since_s = 0.0
@@ -72,8 +70,8 @@ def legs_reach(
         for k in range(1, _LOOKS + 1):
             t_s = stretch.duration_s * k / _LOOKS
             at = motion.at(t_s)
-            carrying = [*feet, landing] if since_s + t_s >= swing_s - 1e-9 else feet
-            if any(math.hypot(foot.x_m - at.com[0], foot.y_m - at.com[1]) > reach_m for foot in carrying):
+            feet = standing, flying(since_s + t_s)
+            if any(math.hypot(foot.x_m - at.com[0], foot.y_m - at.com[1]) > reach_m for foot in feet):
                 return False
         com, dcm = at.com, at.dcm
         since_s += stretch.duration_s

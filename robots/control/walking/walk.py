@@ -13,7 +13,7 @@ from kinematics.motion.sampler import MotionSample
 from kinematics.walking.body.floor_finding import FloorFinding
 from kinematics.walking.body.legged_estimator import LeggedEstimator
 from kinematics.walking.body.level_soles import levelled
-from kinematics.walking.body.whole_body import WholeBody
+from kinematics.walking.body.whole_body import OutOfReachError, WholeBody
 from kinematics.walking.pattern.pattern import WalkingPattern
 from kinematics.walking.pattern.pattern_sample import PatternSample, Phase
 from kinematics.walking.pattern.steering import quickened
@@ -106,12 +106,14 @@ class Walk:
         self._motion: MotionSample | None = None
         self._phase = Phase.REST
         self._rejoin: Rejoin | None = None
+        self._rested: Array | None = None
         self._resting = 0
 
     @property
     def at_rest(self) -> bool:
         """Whether it is over."""
-        return self._resting >= _AT_REST_PERIODS and self._fitted_ankles.at_rest and self.head.at_rest
+        rests = self._resting >= _AT_REST_PERIODS and self._motion is not None
+        return rests and self._fitted_ankles.at_rest and self.head.at_rest
 
     def sense(self, readings: RobotState) -> Array:
         """Take readings in; gives the configuration estimated from them, shape (nq,)."""
@@ -128,8 +130,13 @@ class Walk:
         self._wrench = readings.foot_wrench
         return estimator.tilt_rad
 
-    def next(self) -> tuple[MotionSample, Array]:
-        """The next instant and its efforts."""
+    def next(self) -> tuple[MotionSample, Array] | None:
+        """The next instant and its efforts; None while a foot of the plan is out of the legs' reach.
+
+        Landings are moved within the legs' reach, but where the body is when they come is not only the
+        plan's: whoever is pushed about, loaded or held may end there. The feet go on, and the joints come
+        back to the motion as soon as there is one.
+        """
         error, loads_n = self._stabiliser.error, self._estimator.loads_n
         push = self._push_watch.felt(error, loads_n, self._sample, self._period_s)
         if push is not None:
@@ -140,16 +147,23 @@ class Walk:
         head = self.head.advance(resting=sample.phase in (Phase.SETTLE, Phase.REST))
         if head is not None:
             self._body.pose(self.head.columns, head)
-        motion = self._body.follow(sample)
-        if self._read is not None:
-            self._fitted_ankles.follow(sample.phase, motion.q[7:], self._read[0])
-            self._fitted_ankles.add_to(motion.q[7:], motion.v[6:])
         if sample.phase is Phase.SWING and self._phase is not Phase.SWING:
             self._locate(sample)
         self._phase = sample.phase
         self._resting = self._resting + 1 if sample.phase is Phase.REST else 0
         before, self._sample = self._sample or sample, sample
+        try:
+            motion = self._body.follow(sample)
+        except OutOfReachError:
+            self._motion = None
+            return None
+        if self._read is not None:
+            self._fitted_ankles.follow(sample.phase, motion.q[7:], self._read[0])
+            self._fitted_ankles.add_to(motion.q[7:], motion.v[6:])
         self._motion = motion
+        if self._rested is not None:
+            was = motion.q[7:] - self._period_s * motion.v[6:]
+            self._rejoin, self._rested = Rejoin(self._rested - was, -motion.v[6:]), None
         efforts = self._stabiliser.efforts(before, motion, self._estimator)
         if self._wrench is not None:
             self.held_back = self._outside.feel(
@@ -171,7 +185,8 @@ class Walk:
         return q + left, v + speed
 
     def rejoin(self, told_rad: Array) -> None:
-        """Come back to the motion from where the joints rest for a period."""
+        """Come back to the motion from where the joints rest, for a period or until there is one again."""
+        self._rested = told_rad if self._motion is None else None
         if self._motion is not None:
             self._rejoin = Rejoin(told_rad - self._motion.q[7:], -self._motion.v[6:])
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 from kinematics.arrays import Array
@@ -17,7 +19,7 @@ from robots.clock import Clock
 from robots.control.events import ControlSink, MotionEnded, MotionStarted
 from robots.control.gate.authority import HOLD, STOP, Authority, together
 from robots.control.gate.proposal import Proposal
-from robots.control.gate.refusal import Refusal
+from robots.control.gate.refusal import Limit, Refusal
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from robots.control.streaming.motion_streamer import MotionStreamer
 from robots.control.walking.hand_scales import HandScales
@@ -29,6 +31,7 @@ from robots.interface.sensed_state import SensedState
 _GYRO_TIME_S = 4.0
 """What the gyro shows at rest is averaged over this."""
 _STOPPING = f"{STOP} of a walk"
+_OUT_OF_REACH = Refusal(Limit.REACH, "a leg, whose foot is too far away", 0.0, 0.0)
 
 
 class Walker:
@@ -212,7 +215,10 @@ class Walker:
         """The next setpoint: the grippers' from those who hold them, the body's from the walk."""
         if self._walk is None:
             raise RuntimeError("nobody walks")
-        body, efforts = self._walk.next()
+        found = self._walk.next()
+        if found is None:
+            return dataclasses.replace(standing, owner=self._owner, refusal=_OUT_OF_REACH)
+        body, efforts = found
         q, v = standing.q.copy(), standing.v.copy()
         q[: self._bodies], v[: self._bodies] = self._walk.joints(body)
         owners = [self._owner] if standing.owner == HOLD else [self._owner, standing.owner]

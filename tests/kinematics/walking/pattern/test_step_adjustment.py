@@ -11,7 +11,7 @@ from kinematics.walking.body.whole_body import WholeBody
 from kinematics.walking.pattern.dcm import ZmpStretch
 from kinematics.walking.pattern.pattern import WalkingPattern
 from kinematics.walking.pattern.pattern_sample import Phase
-from kinematics.walking.pattern.steering import VelocitySteering
+from kinematics.walking.pattern.steering import VelocitySteering, quickened
 from kinematics.walking.pattern.step_adjustment import farthest_m, legs_reach, missed_by
 from robots.models.description import load_description
 
@@ -33,16 +33,22 @@ def model():
     return RobotModel(load_description("talos"))
 
 
-@pytest.fixture
-def swing(model):
-    """A walk of 0.3 m/s early in its fourth swing, with its whole body."""
+def walk_of(model, quick=False):
+    """A walk at rest, with its whole body."""
     settings = model.description.walking
+    settings = quickened(settings) if quick else settings
     soles = {sole.side: sole for sole in model.description.soles}
     feet = {side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()}
     body = WholeBody(model, model.q_home, feet, PERIOD_S, settings.first_shift_s)
     x, y, _ = model.com(model.q_home).tolist()
-    pattern = WalkingPattern(settings, soles, feet, (x, y), body.rest_m, 0.17, body.omega, body.sway_s2)
-    pattern.steer(VelocitySteering(settings, 0.3, 0.0))
+    return WalkingPattern(settings, soles, feet, (x, y), body.rest_m, 0.17, body.omega, body.sway_s2), body
+
+
+@pytest.fixture
+def swing(model):
+    """A walk of 0.3 m/s early in its fourth swing, with its whole body."""
+    pattern, body = walk_of(model)
+    pattern.steer(VelocitySteering(model.description.walking, 0.3, 0.0))
     while pattern.steps < 3 or pattern.phase is not Phase.SWING:
         body.follow(pattern.advance(PERIOD_S))
     for _ in range(20):
@@ -73,7 +79,7 @@ def test_a_landing_that_the_com_does_not_come_near_is_out_of_reach():
 
     def reached(landing_m):
         landing = PlanarPose(landing_m)
-        return legs_reach(stretches, (0.0, 0.0), (0.02, 0.0), OMEGA, [standing], landing, 0.3, 0.25)
+        return legs_reach(stretches, (0.0, 0.0), (0.02, 0.0), OMEGA, standing, lambda _: landing, 0.25)
 
     assert reached(0.2)
     assert not reached(0.4)
@@ -133,6 +139,41 @@ def test_however_hard_the_push_the_feet_keep_their_distance_and_the_legs_their_r
             apart = pattern.feet["right"].to(pattern.feet["left"])
             assert s.narrowest_m - 1e-9 <= apart.y_m <= s.stride_widest_m + 1e-9
             assert abs(apart.x_m) <= max(s.stride_forward_m, s.stride_backward_m) + 1e-9
+
+
+def test_a_foot_in_the_air_hurries_no_farther_ahead_than_its_leg_reaches():
+    stretches, standing = through((0.0, 0.0)), PlanarPose()
+
+    def reached(early_s):
+        def flying(t_s):
+            return PlanarPose(0.3) if early_s < t_s < 0.25 else PlanarPose(0.2)
+
+        return legs_reach(stretches, (0.0, 0.0), (0.02, 0.0), OMEGA, standing, flying, 0.25)
+
+    assert reached(0.25)
+    assert not reached(0.1)
+
+
+@pytest.mark.parametrize(("velocity_m_s", "pushed_m"), [(-0.5, -0.12), (0.3, 0.2), (0.5, 0.3)])
+@pytest.mark.parametrize("quick", [True, False])
+def test_a_landing_that_moves_asks_no_leg_for_more_than_its_reach_on_the_way(
+    model, quick, velocity_m_s, pushed_m
+):
+    pattern, body = walk_of(model, quick)
+    settings = model.description.walking
+    pattern.steer(VelocitySteering(settings, velocity_m_s, 0.0, quick=quick))
+    while pattern.steps < 4 or pattern.phase is not Phase.SWING:
+        body.follow(pattern.advance(PERIOD_S))
+    for _ in range(40):
+        body.follow(pattern.advance(PERIOD_S))
+
+    pattern.catch((pushed_m, 0.0))
+
+    while pattern.phase is Phase.SWING:
+        sample = pattern.advance(PERIOD_S)
+        body.follow(sample)
+        for foot in sample.feet.values():
+            assert foot.distance_m(PlanarPose(*sample.com.com)) < settings.stride_reach_m + 0.01
 
 
 def test_a_foot_that_is_about_to_land_goes_where_it_was_going(swing):

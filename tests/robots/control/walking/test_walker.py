@@ -138,6 +138,26 @@ def test_a_refused_setpoint_in_mid_step_does_not_make_it_fall():
     assert not floor.world.truth.fallen()
 
 
+@pytest.mark.parametrize("periods", [1, 12])
+def test_a_foot_out_of_the_legs_reach_ends_the_walk_and_not_the_control(periods):
+    floor = Floor()
+    handle = floor.walk(-0.3)
+    floor.run(1.5)
+
+    legs = floor.loop.walking._walk._body._legs
+    fill, legs.fill = legs.fill, lambda *_: False
+    floor.run(periods * PERIOD_S)
+    legs.fill = fill
+    refused = floor.loop.statistics.refused
+    floor.until_it_stands()
+
+    assert handle.status is MotionStatus.REFUSED
+    assert "reach" in handle.reason
+    assert not floor.world.truth.fallen()
+    assert refused == periods
+    assert floor.loop.statistics.refused == refused + 2  # an instant needs those around it
+
+
 def test_a_robot_of_which_no_gait_is_known_refuses():
     handle = Floor(walking=None).loop.walking.walk(None, "walk")
 
