@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import viser
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import sync_playwright
 
@@ -158,7 +157,7 @@ def _tree(chromium: Chromium, wall: WallClock) -> Figure:
     access, browsers = Access(new_token()), list[Browser]()
     server = PageServer(0, access, "tree")
 
-    def welcome(client: viser.ClientHandle, may_command: bool) -> None:
+    def welcome(client: Any, may_command: bool) -> None:
         # nothing is pressed, so that nobody has to be served
         browsers.append(Browser(client, _NOBODY, access, lambda _line: None, may_command))
 
