@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import threading
 from collections.abc import Callable, Sequence
 from importlib.util import find_spec
+from pathlib import Path
 from types import TracebackType
 
 from executive.errors import UserError
+from executive.live.caller.caller import Caller
 from robots.clock import WallClock
+from robots.live.wire.errors import LiveError
+from robots.live.wire.runtime_folder import RuntimeFolder
 
 PRODUCT = "humanoid-executive"
 _LOOK_EVERY_S = 0.5
@@ -69,6 +74,43 @@ class Companion:
             self._say(f"{ended}; a new one takes its place")
             begun_s.append(now_s)
             self._process = self._start()
+
+
+class LeftBehind:
+    """Tells such a process whether it is to end: a signal came, or nobody is left whom it stands beside.
+
+    What serves a robot ends its companions, unless it is killed itself. The robot's control outlives that,
+    and is watched on until it ends too.
+
+    Args:
+        folder: Where the robot is served.
+        signals: Those that have come.
+        parent: Tells the process id of this process's parent now, which changes when that ends.
+        wall: Of looks for the robot.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        signals: Sequence[int],
+        parent: Callable[[], int] = os.getppid,
+        wall: WallClock | None = None,
+    ) -> None:
+        self._control, self._signals = RuntimeFolder(folder).control_socket, signals
+        self._parent, self._begun_by = parent, parent()
+        self._wall, self._looked_s, self._is_alone = wall or WallClock(), float("-inf"), False
+
+    def __call__(self) -> bool:
+        """Whether it is to end."""
+        if self._signals:
+            return True
+        if self._parent() != self._begun_by and self._wall.now_s() - self._looked_s > _LOOK_EVERY_S:
+            self._looked_s = self._wall.now_s()
+            try:
+                Caller(self._control).close()
+            except LiveError:
+                self._is_alone = True
+        return self._is_alone
 
 
 class MissingExtraError(UserError):

@@ -11,6 +11,7 @@ import pytest
 
 from executive.doors.served_robot import ServedRobot
 from robots.live.wire.errors import LiveError
+from tests.peers.served_page import ARGUMENTS, CHROMIUM
 from tools.benchmark.peers.environments import ROS_NAMES, PeerEnvironment, default_cache
 
 PROGRAMS = Path(__file__).parent / "programs"
@@ -34,6 +35,15 @@ def seeing(tmp_path_factory):
     options = ("--scene", "tabletop", "--perception", "rgbd")
     with _served(tmp_path_factory.mktemp("seeing"), SEEING_DOMAIN, *options) as folder:
         yield folder, SEEING_DOMAIN
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """A browser; of one module, since Playwright's event loop is in the way of other ones."""
+    with pytest.importorskip("playwright.sync_api").sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield browser
+        browser.close()
 
 
 @contextlib.contextmanager

@@ -1,10 +1,11 @@
 """Recorded runs in a real browser: Debian's Chromium under Playwright."""
 
-import shutil
+import io
 import threading
 import time
 
 import pytest
+from PIL import Image
 
 from executive.doors.recorder.feed import RunFeed
 from executive.doors.view.access import Access, new_token
@@ -17,23 +18,26 @@ from executive.runs.run_request import RunRequest
 from executive.screens.display import NoDisplay
 from executive.scripts.task_script import script_for
 from executive.trust import Trust
+from tests.peers.served_page import MARKS, PHONE, WINDOW, opened, until
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
-CHROMIUM = shutil.which("chromium")
-ARGUMENTS = [
-    "--no-sandbox",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-]
-TEXT = "move backward for 1 second"
+TEXT = "move backward for 1 second, then wait for 15 seconds"
 SLOW = "0.1 x"
 """A browser on a busy machine can take seconds until it tells of a key: the run must not end meanwhile."""
-pytestmark = [
-    pytest.mark.timeout(600),
-    pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed"),
-]
+PICTURE_S = 8.0
+pytestmark = MARKS
+
+
+def a_picture():
+    """One of the camera that shows nothing but a colour that nothing else has."""
+    file = io.BytesIO()
+    Image.new("RGB", (640, 480), (255, 0, 255)).save(file, "JPEG")
+    return file.getvalue()
+
+
+def pixels(page):
+    return list(Image.open(io.BytesIO(page.screenshot())).convert("RGB").get_flattened_data())
 
 
 def recorded(folder, seed):
@@ -49,6 +53,7 @@ def recorded(folder, seed):
 @pytest.fixture(scope="module")
 def timeline(tmp_path_factory):
     one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
+    one.pictures.append((PICTURE_S, a_picture()))
     server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
     made = Timeline(server, one, over.is_set, other, SLOW)
     made.port = server.port
@@ -60,32 +65,15 @@ def timeline(tmp_path_factory):
     server.close()
 
 
-@pytest.fixture(scope="module")
-def chromium():
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        yield browser
-        browser.close()
-
-
-@pytest.fixture(params=[(1280, 800), (390, 844)], ids=["window", "phone"])
+@pytest.fixture(params=[WINDOW, PHONE], ids=["window", "phone"])
 def page(chromium, timeline, request):
-    width, height = request.param
-    made = chromium.new_context(viewport={"width": width, "height": height}).new_page()
-    made.set_default_timeout(120_000.0)
+    made = opened(chromium, request.param)
     made.goto(f"http://127.0.0.1:{timeline.port}/")
     made.get_by_text("play", exact=True).wait_for()
     made.locator("canvas[data-engine]").wait_for()
     timeline.go_to(0.0)
     yield made
     made.context.close()
-
-
-def until(so, within_s=60.0):
-    begun_s = time.monotonic()
-    while not so():
-        assert time.monotonic() - begun_s < within_s
-        time.sleep(0.1)
 
 
 def test_the_first_difference_of_two_runs_is_told_and_gone_to_by_a_key(page, timeline):
@@ -120,6 +108,17 @@ def test_the_drawn_robots_move_with_the_time(page, timeline):
     time.sleep(3.0)
 
     assert page.screenshot() != before
+
+
+def test_the_cameras_picture_is_shown_where_it_looks(page, timeline):
+    def magenta():
+        return sum(one[0] > 150 and one[1] < 90 and one[2] > 150 for one in pixels(page))
+
+    assert magenta() == 0
+    timeline.go_to(PICTURE_S + 0.1)
+    until(lambda: magenta() > 100)
+    timeline.go_to(PICTURE_S - 0.1)
+    until(lambda: magenta() == 0)
 
 
 def test_a_tab_reaches_the_button_that_plays(page, timeline):

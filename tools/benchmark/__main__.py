@@ -28,14 +28,17 @@ SUITES = (
     "control",
     "ros",
     "startup",
+    "recording",
     "view",
     "eyes",
+    "view_long",
 )
+_BROWSED = frozenset({"view", "view_long"})
 
 
 class _ListSuites(argparse.Action):
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
-        without = set() if shutil.which("chromium") else {"view"}
+        without = set() if shutil.which("chromium") else _BROWSED
         print(*(suite for suite in SUITES if suite not in without))
         parser.exit()
 
@@ -105,10 +108,12 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
         "startup": startup,
         "eyes": eyes,
     }
-    if suite == "view":  # needs a browser
-        from tools.benchmark.view import view
+    if suite in _BROWSED or suite == "recording":  # what they need is not everywhere
+        from tools.benchmark.served.recording import recording
+        from tools.benchmark.served.view import view
+        from tools.benchmark.served.view_long import view_long
 
-        alone["view"] = view
+        alone |= {"recording": recording, "view": view, "view_long": view_long}
     return Report(suite, quick, alone[suite](quick))
 
 

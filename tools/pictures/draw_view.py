@@ -1,13 +1,13 @@
 """Draw the page of the browser: ``python -m tools.pictures.draw_view docs/pictures [--only NAME]``.
 
 Needs the extras ``view`` and ``record``, Playwright and Debian's Chromium. Runs are recorded in motion and
-shown again, so that the same moments are drawn each time.
+shown again, so that the same moments are drawn each time. The question is asked by a robot that is
+served: a run that is over has no buttons.
 """
 
 from __future__ import annotations
 
 import argparse
-import shutil
 import tempfile
 import threading
 from collections.abc import Iterator
@@ -15,19 +15,21 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
 from executive.doors.view.access import Access, new_token
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, first_difference
 from executive.doors.view.timeline import Timeline
+from robots.clock import WallClock
+from tools.benchmark.served.served_robot import launched, opened, served
 from tools.pictures.view_runs import MAIN_JOB, RUNS, at_the_end, recorded, refused
 
 WINDOW, PHONE = (1280, 800), (390, 844)
-_ARGUMENTS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 _SETTLED_MS = 12_000.0
 _WITHIN_MS = 120_000.0
-NAMES = (*RUNS, "view_phone", "view_dark", "view_refused", "view_two")
+_ASKED, _ASKED_SCENE = "pick up the cup", "clutter"
+NAMES = (*RUNS, "view_phone", "view_dark", "view_refused", "view_two", "view_question")
 
 
 def draw(page: Page, address: str, asked: str, target: Path, dark: bool) -> None:
@@ -41,6 +43,19 @@ def draw(page: Page, address: str, asked: str, target: Path, dark: bool) -> None
         page.get_by_label("dark", exact=True).check()
     page.wait_for_timeout(_SETTLED_MS)
     page.screenshot(path=target)
+
+
+def draw_question(browser: Browser, target: Path, folder: Path) -> None:
+    """Draw a served robot that asks which of two things is meant, as it sees them with its own camera."""
+    options = ("--scene", _ASKED_SCENE, "--perception", "rgbd", "--evaluation", "--ordinary")
+    with served(folder, WallClock(), *options, "--view", "--view-port", "0") as robot:
+        page = opened(browser, robot.address)
+        page.locator("form input").first.fill(_ASKED)
+        page.keyboard.press("Enter")
+        page.get_by_text("the robot asks").first.wait_for()
+        page.wait_for_timeout(_SETTLED_MS)
+        page.screenshot(path=target)
+        page.close()
 
 
 @contextmanager
@@ -90,8 +105,12 @@ def main() -> None:
     parser.add_argument("--only", choices=NAMES, action="append", help="draw this one; may be said again")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(_ARGUMENTS))
-        for name, recording, t_s, other in moments(arguments.only or list(NAMES), Path(folder)):
+        browser = launched(playwright)
+        wanted = arguments.only or list(NAMES)
+        if "view_question" in wanted:
+            draw_question(browser, arguments.folder / "view_question.png", Path(folder))
+        again = [name for name in wanted if name != "view_question"]
+        for name, recording, t_s, other in moments(again, Path(folder)):
             width, height = PHONE if name == "view_phone" else WINDOW
             page = browser.new_page(viewport={"width": width, "height": height})
             with shown(recording, t_s, other) as address:

@@ -63,19 +63,9 @@ def at_the_end(recording: Recording) -> float:
     return recording.ends_s
 
 
-def at_the_first(kind: str) -> Callable[[Recording], float]:
-    """Just after the first event of a kind."""
-
-    def at_s(recording: Recording) -> float:
-        return float(next(one["t_s"] for one in recording.events if one["event"] == kind)) + 0.01
-
-    return at_s
-
-
 MAIN_JOB = Shown("pick up the red cup on the table", "tabletop", while_running("stream reach", 0.7))
 RUNS = {
     "view": MAIN_JOB,
-    "view_question": Shown("pick up the cup", "clutter", at_the_end),
     "view_kitchen": Shown("go to the kitchen", "flat", while_running("walk", 0.4)),
     "view_failure": Shown("pick up the green bottle on the table", "tabletop", at_the_end),
 }

@@ -9,6 +9,7 @@ from typing import Any
 
 import zmq
 
+from executive.doors.companion import LeftBehind
 from executive.doors.groot.monitored_tree import MonitoredTree
 from executive.doors.groot.requests import answer
 from executive.ending_signals import taken_by
@@ -119,7 +120,7 @@ def main(folder: str, port: str) -> int:
             monitor = Monitor(Path(folder), int(port))
             sys.stderr.write(f"Groot2 monitors the tree at {HERE}, port {port}\n")
             sys.stderr.flush()
-            monitor.run(lambda: bool(signals))
+            monitor.run(LeftBehind(Path(folder), signals))
             monitor.close()
     except (LiveError, UserError) as wrong:
         sys.stderr.write(f"executive: the tree is not shown to Groot2: {wrong}\n")

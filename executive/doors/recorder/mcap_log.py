@@ -12,8 +12,11 @@ from executive.doors.ros.definitions import Message, definition_of
 
 ABOUT = "executive"
 """Name of the metadata that tell whose run it is."""
-_CHUNK_BYTES = 16 * 1024
-"""A robot fills one in less than 0.1 s; what is not yet in one is lost where the process is killed."""
+_CHUNK_BYTES, _CHUNK_NS = 16 * 1024, 50_000_000
+"""A chunk is written when it is so large or so old: what is not yet written is lost with the process.
+
+A humanoid's is full sooner, a bare arm's takes half a second.
+"""
 
 
 class McapLog:
@@ -30,6 +33,7 @@ class McapLog:
     def __init__(self, path: Path, about: Mapping[str, str]) -> None:
         self._file = path.open("xb")
         self._writer = Writer(self._file, _CHUNK_BYTES, CompressionType.ZSTD)
+        self._chunk_from_ns: int | None = None
         self._writer.start("ros2", "humanoid-executive")
         self._writer.add_metadata(ABOUT, dict(about))
         self._file.flush()
@@ -39,7 +43,7 @@ class McapLog:
         self._counts: Counter[str] = Counter()
 
     def write(self, topic: str, message: Message, at_ns: int) -> None:
-        """Write a message; each chunk that is full is handed to the operating system.
+        """Write a message; each chunk that is full or old is handed to the operating system.
 
         Args:
             topic: Where ROS would have it.
@@ -53,9 +57,14 @@ class McapLog:
         if channel is None:
             channel = self._channels[topic] = self._channel(topic, type(message))
         self._counts[topic] += 1
+        if self._chunk_from_ns is None:
+            self._chunk_from_ns = at_ns
         self._writer.add_message(channel, at_ns, message.serialize(), at_ns, self._counts[topic])
+        if at_ns - self._chunk_from_ns >= _CHUNK_NS:
+            # the library ends a chunk for its size alone, and has no way to ask for it
+            self._writer._Writer__finalize_chunk()  # type: ignore[attr-defined]
         if (written := self._file.tell()) != self._written:
-            self._written = written
+            self._written, self._chunk_from_ns = written, None
             self._file.flush()
 
     def close(self) -> None:

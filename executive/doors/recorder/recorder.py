@@ -37,6 +37,7 @@ from robots.live.documents.robot_report import ReportLayout
 from robots.perception.rgbd.picture_slot import ShownPicture
 
 STATE, TREE, EVENTS, WORLD = "/executive/state", "/executive/tree", "/executive/events", "/executive/world"
+PICTURES = "/camera/color/image_raw/compressed"
 _EVERY_S: Mapping[str, float] = {"joints": 0.01, "row": 0.02, "body": 0.02, "frames": 0.05}
 """Control time between two messages of a kind; a state that comes a little early counts as due."""
 _EARLY = 0.9
@@ -122,7 +123,7 @@ class Recorder:
         Pictures.fromarray(shown.color).save(file, "JPEG", quality=_JPEG_QUALITY)
         data: Any = file.getvalue()
         picture = CompressedImage(Header(stamp, shown.frame), "rgb8; jpeg compressed bgr8", data)
-        self._log.write("/camera/color/image_raw/compressed", picture, at_ns)
+        self._log.write(PICTURES, picture, at_ns)
         self._log.write("/camera/color/camera_info", camera_info(shown, stamp), at_ns)
 
     def close(self) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from executive.doors.companion import LeftBehind
 from executive.doors.recorder.mend import mend
 from executive.doors.recorder.parts import MotionParts
 from executive.doors.recorder.recorder import Recorder
@@ -190,7 +191,7 @@ def main(folder: str) -> int:
     os.nice(_NICENESS)  # the robot's own processes come first
     try:
         with taken_by(signals.append):
-            ServedRecorder(Path(folder), lambda: bool(signals)).run()
+            ServedRecorder(Path(folder), LeftBehind(Path(folder), signals)).run()
     except (LiveError, OSError) as wrong:
         sys.stderr.write(f"executive: the recorder ended: {wrong}\n")
         return 2

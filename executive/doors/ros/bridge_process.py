@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from executive.doors.companion import LeftBehind
 from executive.doors.ros.bridge import bridge
 from executive.doors.ros.settings import RosSettings
 from executive.ending_signals import taken_by
@@ -18,7 +19,7 @@ def main(folder: str, domain: str, namespace: str, interface: str) -> int:
     settings = RosSettings(int(domain), namespace, interface)
     try:
         with taken_by(signals.append):
-            bridge(Path(folder), settings, lambda: bool(signals))
+            bridge(Path(folder), settings, LeftBehind(Path(folder), signals))
     except (LiveError, UserError) as wrong:
         sys.stderr.write(f"executive: the ROS bridge ended: {wrong}\n")
         return 2

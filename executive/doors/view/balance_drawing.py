@@ -101,10 +101,10 @@ class BalanceDrawing:
                 color=(220, 160, 40),
             )
 
-    def look(self, color: NDArray[np.uint8]) -> None:
-        """Show a picture of the camera in its view, shape (height, width, 3)."""
+    def look(self, color: NDArray[np.uint8] | None) -> None:
+        """Show a picture of the camera in its view, shape (height, width, 3), or none."""
         if self._view is not None:
-            self._view.image = color[::_PICTURE_EVERY, ::_PICTURE_EVERY]
+            self._view.image = None if color is None else color[::_PICTURE_EVERY, ::_PICTURE_EVERY]
 
     def show(self, balance: Balance) -> None:
         """Draw it as it is now."""

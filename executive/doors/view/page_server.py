@@ -19,7 +19,7 @@ import viser
 import websockets
 import websockets.asyncio
 import websockets.asyncio.server
-from viser import infra
+from viser import _messages, infra
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
@@ -29,6 +29,37 @@ from executive.errors import UserError
 Handler = Callable[[ServerConnection], Awaitable[None]]
 _commands: ContextVar[bool] = ContextVar("commands", default=False)
 """Whether the connection at hand may command; viser's callbacks run in its context."""
+FIELDS = """
+if (!window.fieldsAreMended) {
+    window.fieldsAreMended = true;
+    const isField = element => /^(INPUT|TEXTAREA|SELECT)$/.test(element.tagName);
+    window.addEventListener("keydown", event => {
+        if (!isField(event.target) || !event.altKey || event.ctrlKey || event.metaKey) return;
+        if (!document.body.dispatchEvent(new KeyboardEvent("keydown", event))) event.preventDefault();
+    }, true);
+
+    const SETTLED_MS = 150;
+    let typedAt = -Infinity;
+    window.addEventListener("input", () => { typedAt = performance.now(); }, true);
+    const later = (event, again) => {
+        if (performance.now() - typedAt > SETTLED_MS) return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        setTimeout(again, SETTLED_MS + 1);
+    };
+    window.addEventListener("submit", event => later(event, () => event.target.requestSubmit()), true);
+    window.addEventListener("click", event => {
+        const button = event.target.closest?.("form button");
+        if (button && button.type !== "submit") later(event, () => button.click());
+    }, true);
+}
+"""
+"""What viser's fields lack: keys of commands while one is written in, and sending all that was written.
+
+viser hears keys outside of fields alone: who types the next command would press Alt+S, for STOP, in vain.
+Those with Alt are told once more, outside. It holds back what is typed for 50 ms, and forgets it where a form
+is sent meanwhile: "move 10" would be done as "move 1". Sending waits until it has told what was typed.
+"""
 
 
 class PortTakenError(UserError):
@@ -63,6 +94,8 @@ class PageServer:
         if port not in (0, self.port):
             self.viser.stop()
             raise PortTakenError(port)
+        # the way of viser's own scripts; it has none for those of others
+        self.viser._websock_server.queue_message(_messages.RunJavascriptMessage(source=FIELDS))
 
     def on_client(self, welcome: Callable[[viser.ClientHandle, bool], None]) -> None:
         """Call a function with each browser that comes, in a thread, and whether it may command."""

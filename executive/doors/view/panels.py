@@ -17,18 +17,22 @@ from executive.runs.recorded_failure import failure_from
 from executive.screens.tree_lines import GLYPHS
 from trees.failures import Failure
 
+_GREY, _BLUE = "light-dark(#5c636a, #a6adb4)", "light-dark(#1864ab, #74c0fc)"
+_GREEN, _ORANGE = "light-dark(#237032, #69db7c)", "light-dark(#a63c00, #ffa94d)"
+_RED = "light-dark(#c92a2a, #ff8787)"
+"""In the light and in the dark: each with a contrast of 4.5 or more, as WCAG 2.2 asks of small text."""
 _STATUS_COLORS: Mapping[str, str] = {
-    "idle": "#868e96",
-    "running": "#1c7ed6",
-    "success": "#2f9e44",
-    "failure": "#e03131",
+    "idle": _GREY,
+    "running": _BLUE,
+    "success": _GREEN,
+    "failure": _RED,
 }
 _LEVEL_COLORS: Mapping[Level, str] = {
     "info": "inherit",
-    "said": "#1c7ed6",
-    "warning": "#e8590c",
-    "error": "#e03131",
-    "alarm": "#e03131",
+    "said": _BLUE,
+    "warning": _ORANGE,
+    "error": _RED,
+    "alarm": _RED,
 }
 _LEVELS: tuple[Level, ...] = ("info", "said", "warning", "error", "alarm")
 _SHOWN_LINES = 120
@@ -95,7 +99,7 @@ def _node(line: Line, current: bool) -> str:
     color = _STATUS_COLORS.get(status, "inherit")
     message = escape(str(node["message"])) if status != "idle" else ""
     weight = "font-weight:600;background:rgba(28,126,214,.14);" if current else ""
-    folded = ' <span style="opacity:.6">\u25b8</span>' if line.branch and not line.open else ""
+    folded = ' <span style="opacity:.75">\u25b8</span>' if line.branch and not line.open else ""
     return (
         f'<span style="display:block;{weight}padding-left:{10 * int(node["depth"])}px">'
         f'<span style="color:{color}">{GLYPHS.get(status, "?")} {escape(str(node["name"]))}</span>{folded} '  # type: ignore[call-overload]
@@ -107,7 +111,7 @@ def ending_panel(seen: Seen) -> str:
     """What the last task measured, or why it failed, link by link; empty while there is nothing to tell."""
     if seen.failure is not None:
         rows = [
-            f'<span style="display:block;padding-left:{12 * depth}px;color:#e03131">'
+            f'<span style="display:block;padding-left:{12 * depth}px;color:{_RED}">'
             f"{'because: ' if depth else 'failed: '}{escape(sentence(link))}</span>"
             for depth, link in enumerate(_chain(failure_from(seen.failure)))
         ]
@@ -133,8 +137,7 @@ def log_panel(log: Sequence[LogLine], least: Level = "info") -> str:
     """
     kept = [one for one in log if _LEVELS.index(one.level) >= _LEVELS.index(least)][-_SHOWN_LINES:]
     rows = (
-        f'<span style="color:{_LEVEL_COLORS[one.level]}"><span style="opacity:.6">{one.t_s:.1f}</span> '
-        f"{escape(one.text)}</span>"
+        f'<span style="color:{_LEVEL_COLORS[one.level]}">{one.t_s:.1f} {escape(one.text)}</span>'
         for one in reversed(kept)
     )
     return _block(rows, f"{_SCROLLS};display:flex;flex-direction:column-reverse")

@@ -58,6 +58,7 @@ class Recording:
         moments: At least one, once the run has begun.
         events: As JSON.
         log: Lines for people.
+        pictures: Of the robot's camera, as JPEG, each with its time; none where they were not recorded.
     """
 
     def __init__(self, run: RecordedRun) -> None:
@@ -68,6 +69,7 @@ class Recording:
         self.moments: list[Moment] = []
         self.events: list[Mapping[str, Any]] = []
         self.log: list[LogLine] = []
+        self.pictures: list[tuple[float, bytes]] = []
 
     @property
     def ends_s(self) -> float:
@@ -79,6 +81,11 @@ class Recording:
         """The moment at a time, or the last before it; the first one for any time before."""
         index = bisect.bisect_right(self.moments, t_s, key=lambda one: one.t_s)
         return self.moments[max(index - 1, 0)]
+
+    def picture(self, t_s: float) -> bytes | None:
+        """The last picture of the robot's camera up to a time, as JPEG; None where there is none."""
+        index = bisect.bisect_right(self.pictures, t_s, key=lambda one: one[0])
+        return self.pictures[index - 1][1] if index else None
 
     def log_until(self, t_s: float) -> tuple[LogLine, ...]:
         """Lines for people up to a time."""

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
+import numpy as np
 import viser
+from numpy.typing import NDArray
+from PIL import Image as Pictures
 
 from executive.doors.view.balance_drawing import BalanceDrawing, balance_of
 from executive.doors.view.map_drawing import MapDrawing
@@ -53,6 +57,7 @@ class ShownRun:
         self._world = WorldDrawing(own)
         self._balance = BalanceDrawing(own, model, self._body)
         self._plan, self._map = PlanDrawing(own, model.description), MapDrawing(own)
+        self._picture: bytes | None = None
 
     def show(self, t_s: float) -> Seen:
         """Draw it as it was at a time; what there is to tell in words."""
@@ -67,7 +72,15 @@ class ShownRun:
         self._plan.refused_at(refused_place(seen.failure))
         things = [drawn(one, marked) for one in moment.world["things"]]
         self._world.show(things, {one.held: self._body.path_of(one.held) for one in things if one.held})
+        if (picture := self.recording.picture(t_s)) != self._picture:
+            self._picture = picture
+            self._balance.look(None if picture is None else _color(picture))
         return seen
+
+
+def _color(picture: bytes) -> NDArray[np.uint8]:
+    """A JPEG as an array, shape (height, width, 3)."""
+    return np.asarray(Pictures.open(io.BytesIO(picture)).convert("RGB"))
 
 
 def seen_at(recording: Recording, t_s: float) -> Seen:

@@ -22,9 +22,9 @@ PACES = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "1 x": 1.0, "2 x": 2.0, "5 
 _USUAL_PACE = "1 x"
 _STEP_S = 0.01
 _NUDGE_S = 0.1
-_ROOMS_FARTHER, _TWO_FARTHER = 2.2, 1.5
-_BESIDE_M = 3.0
-"""From one run to the other."""
+_ROOMS_FARTHER, _TWO_FARTHER = 2.2, 2.4
+_BESIDE_M, _TWO_ASIDE_M = 2.4, 0.3
+"""From one run to the other, and how far aside one stands to look at both."""
 
 
 class Timeline:
@@ -89,11 +89,13 @@ class Timeline:
         self.t_s = min(max(t_s, 0.0), self.ends_s)
 
     def _look(self, client: viser.ClientHandle) -> None:
-        """Let a browser that comes look at the robot where it is now; at rooms from farther away."""
+        """Let a browser that comes look at the robot where it is; at two, and at rooms, from farther away."""
         moment = self._recording.moment(self.t_s)
         x_m, y_m = moment.report.sensed.q[:2].tolist()
-        far = _ROOMS_FARTHER if moment.world.get("rooms") else _TWO_FARTHER if len(self._runs) > 1 else 1.0
-        look_from_the_side(client, x_m, y_m, far)
+        if len(self._runs) > 1:
+            look_from_the_side(client, x_m, y_m + 0.5 * _BESIDE_M, _TWO_FARTHER, _TWO_ASIDE_M)
+            return
+        look_from_the_side(client, x_m, y_m, _ROOMS_FARTHER if moment.world.get("rooms") else 1.0)
 
     def hold(self) -> None:
         """Play no more."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from executive.doors.companion import LeftBehind
 from executive.doors.view.access import HERE, Access, new_token
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.viewer import Viewer
@@ -21,7 +22,7 @@ def main(folder: str, port: str) -> int:
     try:
         with taken_by(signals.append):
             server = PageServer(int(port), access, "robot")
-            viewer = Viewer(Path(folder), server, access, lambda: bool(signals))
+            viewer = Viewer(Path(folder), server, access, LeftBehind(Path(folder), signals))
             sys.stderr.write(f"the page is at http://{HERE[0]}:{server.port}/?token={token}\n")
             sys.stderr.flush()
             viewer.run()

@@ -36,6 +36,7 @@ DRAWN_EVERY_S = 1.0 / 30.0
 _BALANCE_EVERY, _WORDS_EVERY, _WORLD_EVERY = 3, 1, 6
 """Drawings of the robot between two of these."""
 _READY_WITHIN_S, _AGAIN_S = 120.0, 0.5
+_ASIDE_M = 1.5
 
 
 class Viewer:
@@ -162,7 +163,11 @@ def prepare(scene: viser.SceneApi) -> None:
 
 
 def look_from_the_side(
-    client: viser.ClientHandle, x_m: float = 0.0, y_m: float = 0.0, farther: float = 1.0
+    client: viser.ClientHandle,
+    x_m: float = 0.0,
+    y_m: float = 0.0,
+    farther: float = 1.0,
+    aside_m: float = _ASIDE_M,
 ) -> None:
     """Let a browser look at the robot from ahead and aside.
 
@@ -170,9 +175,10 @@ def look_from_the_side(
         client: The browser.
         x_m, y_m: Where the robot is drawn.
         farther: Times as far as is usual.
+        aside_m: How far aside that is at the usual distance.
     """
     client.camera.up_direction = (0.0, 0.0, 1.0)
-    client.camera.position = (x_m + 0.35 + 1.55 * farther, y_m - 1.5 * farther, 0.85 + 0.65 * farther)
+    client.camera.position = (x_m + 0.35 + 1.55 * farther, y_m - aside_m * farther, 0.85 + 0.65 * farther)
     client.camera.look_at = (x_m + 0.35, y_m, 0.85)
 
 

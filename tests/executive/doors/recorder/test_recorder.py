@@ -1,5 +1,6 @@
 """What is recorded, read back by the readers of MCAP and of ROS's bags."""
 
+import io
 import json
 import os
 import signal
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
+from PIL import Image
 from rosbags.highlevel import AnyReader
 
 from executive.doors.recorder.mend import UnreadableRecordingError, mend, records
@@ -112,6 +114,24 @@ def test_a_picture_is_read_back(model, tmp_path):
     assert topics["/camera/color/camera_info"][0][1].k[0] == 60.0
 
 
+def test_pictures_of_the_camera_are_shown_again_at_their_times(model, tmp_path):
+    recorder = Recorder(tmp_path / "motion.mcap", model, ABOUT, 1_700_000_000_000_000_000)
+    for t_s, red in ((0.5, 40), (2.0, 200)):
+        recorder.state(row_at(model, t_s))
+        color = np.zeros((48, 64, 3), np.uint8)
+        color[:, :, 0] = red
+        recorder.picture(ShownPicture("eye", 60.0, t_s, color, np.ones((48, 64), np.uint16)))
+    recorder.close()
+    recording = recording_in(tmp_path / "motion.mcap")
+
+    def red_at(t_s):
+        return int(np.asarray(Image.open(io.BytesIO(recording.picture(t_s))))[:, :, 0].mean())
+
+    assert recording.picture(0.4) is None
+    assert red_at(1.0) == pytest.approx(40, abs=4)
+    assert red_at(2.1) == pytest.approx(200, abs=4)
+
+
 def test_a_recording_is_shown_again_as_it_was(recorded):
     recording = recording_in(recorded)
 
@@ -194,6 +214,21 @@ def test_killing_what_records_loses_less_than_two_tenths_of_a_second(model, tmp_
     fed.process.stdin.close()
 
     assert told_s - recording_in(path).ends_s <= 0.2
+
+
+@pytest.mark.parametrize("robot", ["talos", "panda"])
+@pytest.mark.parametrize("every_s", [0.01, 0.1])
+def test_however_small_the_robot_no_state_waits_for_long_to_be_written(tmp_path, robot, every_s):
+    model = RobotModel(load_description(robot))
+    path, waited_s = tmp_path / "motion.mcap", []
+    recorder = Recorder(path, model, {**ABOUT, "robot": robot}, 1_700_000_000_000_000_000)
+    for i in range(60):
+        recorder.state(row_at(model, every_s * i))
+        if i % 7 == 6:
+            waited_s.append(every_s * i - recording_in(path).ends_s)
+    recorder.close()
+
+    assert max(waited_s) <= 0.1 + 1e-6
 
 
 def test_killing_who_is_recorded_loses_nothing(model, tmp_path):
