@@ -92,5 +92,5 @@ def wired(
 
 def over_the_wire(world: SimulatedWorld, clock: ManualClock, seed: int = 0) -> UnitreeRobot:
     """The body of a robot that stands in a world, over a wire with a delay and losses."""
-    options = {"delay_s": DELAY_S, "loss": LOSS, "seed": seed}
-    return wired(world, clock, take_up_s=STANDING_TAKE_UP_S, **options)[0]
+    body, _ = wired(world, clock, take_up_s=STANDING_TAKE_UP_S, delay_s=DELAY_S, loss=LOSS, seed=seed)
+    return body
