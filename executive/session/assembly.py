@@ -22,6 +22,7 @@ from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.control.period import PERIOD_S
 from robots.interface.hardware import RobotData
+from robots.interface.robot import Robot
 from robots.models.description import load_robot_for_tasks
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.place_map import place_map
@@ -90,6 +91,7 @@ def assemble(
     labelling: Labelling = BY_SHAPE,
     picture_slot: Path | None = None,
     drawn: bool = True,
+    body: Callable[[SimulatedWorld, ManualClock], Robot] | None = None,
 ) -> Assembly:
     """Put a robot into a scene.
 
@@ -113,6 +115,8 @@ def assemble(
         picture_slot: Where the newest picture of the robot's own camera is shown to who wants it; None for
             nowhere.
         drawn: Whether pictures may be taken of the robot; a world without is a third as large.
+        body: Gives what the control loop commands in the world's robot's place, and what lets its time pass:
+            the same robot behind a wire.
 
     Raises:
         UnknownRobotError: There is no robot of that name.
@@ -129,7 +133,8 @@ def assemble(
     clock = ManualClock()
     world = build_world(RobotData(description, data.hardware), scene, chance.world, drawn=drawn)
 
-    loop = ControlLoop(world.robot, model, clock, sink, PERIOD_S)
+    commanded = world.robot if body is None else body(world, clock)
+    loop = ControlLoop(commanded, model, clock, sink, PERIOD_S)
     perception = simulated_perception(
         world,
         RobotData(description, data.hardware),

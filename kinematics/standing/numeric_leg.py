@@ -30,6 +30,12 @@ LONGEST_STEP = 0.4
 DAMPING = 1e-2
 
 
+BENT_RAD = 0.1
+"""Knees of what is searched stay so far from being stretched, which shortens a leg by a thousandth: nearer to
+it, the next millimetre is out of reach, and no method that goes by derivatives comes there."""
+_KNEE, _ANGLES = 3, 721
+
+
 @dataclass(frozen=True, slots=True)
 class LegChain:
     """The hinges of one leg, hip to ankle, each in the frame of the one before it; the first in the base's.
@@ -54,6 +60,7 @@ class NumericLeg:
 
     Attributes:
         chain: Its hinges.
+        knee: Name of the fourth of them.
 
     Raises:
         ModelError: The leg is not a chain of six hinges that hangs on the base.
@@ -68,6 +75,7 @@ class NumericLeg:
         if int(sole.parentJoint) != ids[-1]:
             raise ModelError(f"{group}: {frame} is not on its last link")
         self._columns = 7 + model.group(group)
+        self.knee = model.description.groups[group][_KNEE]
         self._turn = np.array([np.array(model.pin.jointPlacements[i].rotation) for i in ids])
         self._offset = np.array([np.array(model.pin.jointPlacements[i].translation) for i in ids])
         self._axis = np.array([_axis(model.pin, i) for i in ids])
@@ -77,6 +85,22 @@ class NumericLeg:
         self.chain = LegChain(
             tuple(int(i) for i in ids), self._turn, self._offset, self._axis, self._foot_T_sole
         )
+
+    def bent_range(self, lower_rad: float, upper_rad: float) -> tuple[float, float]:
+        """Where the knee is bent as at home, and not nearly stretched; within its limits, rad.
+
+        Args:
+            lower_rad, upper_rad: The knee's limits.
+        """
+        angles = np.linspace(lower_rad, upper_rad, _ANGLES)
+        joints = np.tile(self._home, (_ANGLES, 1))
+        joints[:, _KNEE] = angles
+        at, _, origins, axes = self._forward(joints)
+        volume = np.linalg.det(np.concatenate([np.cross(axes, at[:, None] - origins), axes], axis=2))
+        stretched, home = float(angles[int(np.argmin(np.abs(volume)))]), float(self._home[_KNEE])
+        if home > stretched:
+            return max(lower_rad, min(home, stretched + BENT_RAD)), upper_rad
+        return lower_rad, min(upper_rad, max(home, stretched - BENT_RAD))
 
     def fill(self, q: Array, base_R: Array) -> Mask:
         """Write the leg's joints into configurations.

@@ -80,6 +80,7 @@ class HealthLimits:
         encoder_offset_rad: A position that has left the sum of the speeds by this.
         gyro_bias_rad_s: Between the gyro and the turning that the legs see.
         foot_force_n: A sole that is meant to carry and feels less has lost the floor.
+        foot_error_n: Forces of the floor that are estimated may be wrong by so much: their bounds are wider.
         battery_low: Share of the charge below which no new task is begun.
         late_share: Share of late control periods, over a second, that the loop may have.
     """
@@ -91,6 +92,7 @@ class HealthLimits:
     encoder_offset_rad: float = 0.015
     gyro_bias_rad_s: float = 0.01
     foot_force_n: float = 20.0
+    foot_error_n: float = 0.0
     battery_low: float = 0.15
     late_share: float = 0.2
 

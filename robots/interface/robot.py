@@ -6,7 +6,7 @@ Arrays are in the order of ``RobotDescription.actuated``: body joints, then grip
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from kinematics.arrays import Array, InFloat64
 from kinematics.model.robot_description import RobotDescription
@@ -26,6 +26,9 @@ class RobotState(InFloat64):
         accelerometer: Specific force in the IMU's frame, m/s^2, shape (3,) (rest: gravity upwards).
         foot_wrench: Force and torque of the ground on each sole in the sole's frame (N, Nm), shape
             (feet, 6), in the order of ``RobotDescription.soles``; shape (0, 6) of a robot that feels none.
+        following: Whether the motors follow setpoints with all their stiffness; not while they are damped, or
+            are taken up again.
+        feet_estimated: Whether no sensor told those, but the efforts of the legs and the IMU.
         battery: Share of the charge that is left, 0 to 1.
         age_s: How old the readings are; 0 where they are of this period.
         temperature_c: Of each motor, shape (n,); None where nobody measures it.
@@ -49,6 +52,8 @@ class RobotState(InFloat64):
     temperature_c: Array | None = None
     motor_error: Array | None = None
     alarm: str = ""
+    feet_estimated: bool = False
+    following: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,3 +107,17 @@ class Robot(Protocol):
     def advance(self, period_s: float) -> None:
         """Let one control period pass (lockstep: the physics; live: nothing)."""
         ...
+
+
+@runtime_checkable
+class ResettableRobot(Protocol):
+    """A body that keeps something of its own against moving until a person has looked: a lost wire."""
+
+    def reset(self) -> str | None:
+        """A person has looked: forget it, or say why not."""
+        ...
+
+
+def reset_body(robot: Robot) -> str | None:
+    """Have a body forget what only a person ends; None when nothing of it stands against moving."""
+    return robot.reset() if isinstance(robot, ResettableRobot) else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +31,8 @@ class SimulatedWorld:
         ranging: The range sensor.
         people: Those of its people who take what is offered to them.
         walkers: Those who walk about.
+        before_period: What everything but the robot does before each period; called by its robot's
+            ``advance``, or by who plays the robot's motors.
         physics: MuJoCo's model and data; for ``robots.simulated`` (rendering, monitor) and tests.
     """
 
@@ -41,6 +44,7 @@ class SimulatedWorld:
     ranging: SimulatedRangeSensor
     people: TakingPeople
     walkers: WalkingPeople
+    before_period: Callable[[], None]
 
 
 def build_world(
@@ -75,5 +79,13 @@ def build_world(
 
     body = SimulatedRobot(physics, rng, before_period)
     return SimulatedWorld(
-        body, truth, faults, BodyFaults(physics, body, faults), physics, ranging, people, walkers
+        body,
+        truth,
+        faults,
+        BodyFaults(physics, body, faults),
+        physics,
+        ranging,
+        people,
+        walkers,
+        before_period,
     )

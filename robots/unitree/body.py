@@ -34,12 +34,14 @@ def attach(data: RobotData, clock: Clock, options: Mapping[str, str]) -> Unitree
     if not (domain.isascii() and domain.isdigit() and int(domain) <= 232):
         raise BodyError(f"domain: expected a number from 0 to 232, not {domain!r}")
     try:
-        from robots.unitree.dds import LOOPBACK, controller_end
+        from robots.unitree.dds import LOOPBACK, controller_end, controller_hand_end
     except ModuleNotFoundError as missing:
         if (missing.name or "").partition(".")[0] != "cyclonedds":
             raise
         raise BodyError(
             "a robot of Unitree takes cyclonedds: pip install 'humanoid-executive[ros]'"
         ) from missing
-    end = controller_end(int(domain), options.get("interface", LOOPBACK), arms_only=_YES[arms])
-    return UnitreeRobot(data, end, clock, arms_only=_YES[arms])
+    network = int(domain), options.get("interface", LOOPBACK)
+    hands = {hand: controller_hand_end(hand, *network) for hand in data.description.grippers}
+    end = controller_end(*network, arms_only=_YES[arms])
+    return UnitreeRobot(data, end, clock, hands, arms_only=_YES[arms])

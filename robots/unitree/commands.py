@@ -15,6 +15,31 @@ setpoint is gone."""
 _ENABLED = 1
 
 
+class TakeUp:
+    """How motors are taken up from where they are: stiffness, effort and way rise together.
+
+    Attributes:
+        share: How far, 0 to 1.
+    """
+
+    def __init__(self, for_s: float = TAKE_UP_S) -> None:
+        """Begin with motors that nobody holds; they are taken up within ``for_s``."""
+        self._for_s = for_s
+        self._start: Array | None = None
+        self.share = 0.0
+
+    def go_on(self, measured: Array, period_s: float) -> tuple[Array, float]:
+        """Where the motors were, rad, shape (n,), and what share of the setpoint counts now."""
+        if self._start is None:
+            self._start, self.share = measured.copy(), 0.0
+        self.share = min(1.0, self.share + period_s / self._for_s)
+        return self._start, self.share * self.share * (3.0 - 2.0 * self.share)
+
+    def let_go(self) -> None:
+        """What comes next is taken up anew."""
+        self._start, self.share = None, 0.0
+
+
 class LowCommands:
     """Makes the messages of one robot.
 
@@ -42,16 +67,14 @@ class LowCommands:
         own = np.ones(len(motors), dtype=np.bool_)
         if arms_only:
             own = ~np.isin(motors, list(LEGS))
-        self._own, self._arms_only, self._take_up_s = own, arms_only, take_up_s
+        self._own, self._arms_only, self._take_up = own, arms_only, TakeUp(take_up_s)
         self._stiffness, self._damping = stiffness, damping
         self._message = empty(LOW_COMMAND)
-        self._start: Array | None = None
-        self._share = 0.0
 
     @property
     def share(self) -> float:
         """How far motors are taken up, 0 to 1; under ``arm_sdk`` this is its weight."""
-        return self._share
+        return self._take_up.share
 
     def follow(self, setpoint: JointSetpoint, measured: Array, period_s: float, machine: int) -> Record:
         """A message that follows a setpoint, taken up from where the joints are.
@@ -63,11 +86,8 @@ class LowCommands:
             machine: The mode that the robot told of itself.
         """
         n = len(self._motors)
-        if self._start is None:
-            self._start, self._share = measured.copy(), 0.0
-        self._share = min(1.0, self._share + period_s / self._take_up_s)
-        blend = self._share * self._share * (3.0 - 2.0 * self._share)
-        q = self._start + blend * (setpoint.q[:n] - self._start)
+        start, blend = self._take_up.go_on(measured, period_s)
+        q = start + blend * (setpoint.q[:n] - start)
         return self._fill(
             q,
             blend * setpoint.v[:n],
@@ -79,7 +99,7 @@ class LowCommands:
 
     def damp(self, measured: Array, machine: int) -> Record:
         """A message that only damps; what comes after it is taken up anew."""
-        self._start, self._share = None, 0.0
+        self._take_up.let_go()
         nothing = np.zeros(len(self._motors))
         return self._fill(measured, nothing, nothing, nothing, self._damping, machine)
 
@@ -90,6 +110,6 @@ class LowCommands:
             motor[key][self._motors] = np.where(self._own, values, 0.0)
         motor["mode"][self._motors] = np.where(self._own, _ENABLED, 0)
         if self._arms_only:
-            motor["q"][ARM_WEIGHT] = self._share
+            motor["q"][ARM_WEIGHT] = self.share
         seal(message)
         return message.copy()

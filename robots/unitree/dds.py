@@ -1,4 +1,4 @@
-"""The wire over DDS: commands on ``rt/lowcmd`` or ``rt/arm_sdk``, states on ``rt/lowstate``."""
+"""The wire over DDS: ``rt/lowcmd`` or ``rt/arm_sdk``, ``rt/lowstate``, and ``rt/dex3`` for each hand."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
+from kinematics.model.robot_description import Hand
 from robots.unitree.layout import Record
-from robots.unitree.messages import LowCommand, LowState, carried, carrying
+from robots.unitree.messages import HandCommand, HandState, LowCommand, LowState, carried, carrying
 
 COMMANDS, ARMS, STATES = "rt/lowcmd", "rt/arm_sdk", "rt/lowstate"
 LOOPBACK = "lo"
@@ -86,3 +87,18 @@ def robot_end(domain: int = 0, interface: str = LOOPBACK, *, arms_only: bool = F
     """The end of the robot, for who plays one."""
     topic = ARMS if arms_only else COMMANDS
     return DdsEnd(domain, interface, (STATES, LowState), (topic, LowCommand))
+
+
+def controller_hand_end(hand: Hand, domain: int = 0, interface: str = LOOPBACK) -> DdsEnd:
+    """The end of who controls a hand."""
+    return DdsEnd(domain, interface, (f"rt/dex3/{hand}/cmd", HandCommand), (hand_states(hand), HandState))
+
+
+def robot_hand_end(hand: Hand, domain: int = 0, interface: str = LOOPBACK) -> DdsEnd:
+    """The end of the hand, for who plays one."""
+    return DdsEnd(domain, interface, (hand_states(hand), HandState), (f"rt/dex3/{hand}/cmd", HandCommand))
+
+
+def hand_states(hand: Hand) -> str:
+    """The topic of a hand's states."""
+    return f"rt/dex3/{hand}/state"

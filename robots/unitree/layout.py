@@ -81,6 +81,17 @@ LOW_STATE = np.dtype(
 )
 """``LowState_``: what motors and IMU sense, and the remote's buttons."""
 
+HAND_MOTORS = 7
+"""Motors of a Dex3."""
+HAND_COMMAND = np.dtype(
+    [("count", "<u4"), ("motor", _MOTOR_COMMAND, HAND_MOTORS), ("reserve", "<u4", 4)],
+)
+"""``HandCmd_``; ``count`` is the length of its sequence, which DDS writes. It has no check sum."""
+HAND_STATE = np.dtype([("count", "<u4"), ("motor", _MOTOR_STATE, HAND_MOTORS)])
+"""What is read of ``HandState_``; behind it come pressures, IMU and voltages, which nobody here asks."""
+_HAND_REST = 4 + _IMU.itemsize + 4 * 4 + 2 * 4 + 2 * 4
+"""Bytes of the rest of ``HandState_`` without any pressures."""
+
 Record = NDArray[np.void]
 """One message, shape ()."""
 
@@ -92,7 +103,10 @@ _PADDED = 2
 
 def empty(kind: np.dtype[np.void]) -> Record:
     """A message of zeros."""
-    return np.zeros((), dtype=kind)
+    message = np.zeros((), dtype=kind)
+    if kind in (HAND_COMMAND, HAND_STATE):
+        message["count"] = HAND_MOTORS
+    return message
 
 
 def crc_of(data: bytes) -> int:
@@ -123,12 +137,22 @@ def is_whole(message: Record) -> bool:
 def to_wire(message: Record) -> bytes:
     """A message as CDR has it, without its head."""
     data = message.tobytes()
+    if message.dtype == HAND_COMMAND:
+        return data
+    if message.dtype == HAND_STATE:
+        return data + bytes(_HAND_REST)
     before, mode = _before_motors(message.dtype)
     return data[:before] + data[mode : mode + 1] + bytes(-(before + 1) % _WORD) + data[mode + _WORD :]
 
 
 def from_wire(data: bytes, kind: np.dtype[np.void]) -> Record | None:
-    """The message that some bytes of CDR are, without their head; None when they are not as many."""
+    """The message that some bytes of CDR are, without their head; None when they are not as many.
+
+    Of a hand's state what is behind its motors is left away: how many pressures it tells depends on the hand.
+    """
+    if kind in (HAND_COMMAND, HAND_STATE):
+        found = record_of(data[: kind.itemsize] if kind == HAND_STATE else data, kind)
+        return found if found is not None and int(found["count"]) == HAND_MOTORS else None
     before, mode = _before_motors(kind)
     behind = before + 1 + -(before + 1) % _WORD
     body = data[behind : behind + kind.itemsize - mode - _WORD]

@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar
 from cyclonedds.idl import IdlStruct
 from cyclonedds.idl.annotations import final
 
-from robots.unitree.layout import LOW_COMMAND, LOW_STATE, MOTORS, Record, from_wire, to_wire
+from robots.unitree.layout import (
+    HAND_COMMAND,
+    HAND_STATE,
+    LOW_COMMAND,
+    LOW_STATE,
+    MOTORS,
+    Record,
+    from_wire,
+    to_wire,
+)
 
 if TYPE_CHECKING:
     float32: TypeAlias = float
@@ -22,10 +31,12 @@ if TYPE_CHECKING:
     Words2: TypeAlias = list[int]
     Words4: TypeAlias = list[int]
     Bytes40: TypeAlias = list[int]
+    Floats12: TypeAlias = list[float]
 else:
-    from cyclonedds.idl.types import array, float32, int16, uint8, uint32
+    from cyclonedds.idl.types import array, float32, int16, sequence, uint8, uint32
 
     Floats3, Floats4, Pair = array[float32, 3], array[float32, 4], array[int16, 2]
+    Floats12 = array[float32, 12]
     Words2, Words4, Bytes40 = array[uint32, 2], array[uint32, 4], array[uint8, 40]
 
 M = TypeVar("M", bound=IdlStruct)
@@ -155,5 +166,73 @@ class LowState(IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
         return _carried_by(cls, data)
 
 
-KINDS: dict[type[IdlStruct], Any] = {LowCommand: LOW_COMMAND, LowState: LOW_STATE}
+@dataclass
+@final
+class PressState(IdlStruct, typename="unitree_hg.msg.dds_.PressSensorState_"):
+    """What one field of pressure sensors of a hand feels."""
+
+    pressure: Floats12 = field(default_factory=lambda: [0.0] * 12)
+    temperature: Floats12 = field(default_factory=lambda: [0.0] * 12)
+    lost: uint32 = 0
+    reserve: uint32 = 0
+
+
+if TYPE_CHECKING:
+    HandMotorCommands: TypeAlias = list[MotorCommand]
+    HandMotorStates: TypeAlias = list[MotorState]
+    PressStates: TypeAlias = list[PressState]
+else:
+    HandMotorCommands, HandMotorStates = sequence[MotorCommand], sequence[MotorState]
+    PressStates = sequence[PressState]
+
+
+@dataclass
+@final
+class HandCommand(IdlStruct, typename="unitree_hg.msg.dds_.HandCmd_"):
+    """What the motors of a hand are to do."""
+
+    motor_cmd: HandMotorCommands = field(default_factory=list)
+    reserve: Words4 = field(default_factory=lambda: [0] * 4)
+
+    def serialize(self, *options: Any, **named: Any) -> bytes:
+        """Its bytes on the wire."""
+        return _bytes_of(self) or super().serialize(*options, **named)
+
+    @classmethod
+    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
+        """The message that carries what some bytes are."""
+        return _carried_by(cls, data)
+
+
+@dataclass
+@final
+class HandState(IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
+    """What a hand senses."""
+
+    motor_state: HandMotorStates = field(default_factory=list)
+    press_sensor_state: PressStates = field(default_factory=list)
+    imu_state: ImuState = field(default_factory=ImuState)
+    power_v: float32 = 0.0
+    power_a: float32 = 0.0
+    system_v: float32 = 0.0
+    device_v: float32 = 0.0
+    error: Words2 = field(default_factory=lambda: [0] * 2)
+    reserve: Words2 = field(default_factory=lambda: [0] * 2)
+
+    def serialize(self, *options: Any, **named: Any) -> bytes:
+        """Its bytes on the wire."""
+        return _bytes_of(self) or super().serialize(*options, **named)
+
+    @classmethod
+    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
+        """The message that carries what some bytes are."""
+        return _carried_by(cls, data)
+
+
+KINDS: dict[type[IdlStruct], Any] = {
+    LowCommand: LOW_COMMAND,
+    LowState: LOW_STATE,
+    HandCommand: HAND_COMMAND,
+    HandState: HAND_STATE,
+}
 """How the bytes of each are read."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.model.robot_description import Hand
 from robots.errors import DescriptionError
 
 _LEG = ("hip_pitch", "hip_roll", "hip_yaw", "knee", "ankle_pitch", "ankle_roll")
@@ -26,6 +27,9 @@ ARM_WEIGHT = 29
 LEGS = range(12)
 """Motors of the legs, which stay the maker's under ``arm_sdk``."""
 
+DEX3 = ("thumb_0", "thumb_1", "thumb_2", "middle_0", "middle_1", "index_0", "index_1")
+"""Joints of a hand by the motor's number, the same of both hands."""
+
 Motors = NDArray[np.intp]
 
 
@@ -42,3 +46,16 @@ def motors_of(joints: Sequence[str]) -> Motors:
             f"{G1[0]} to {G1[-1]}"
         )
     return np.array([G1.index(name) for name in joints], dtype=np.intp)
+
+
+def hand_motors_of(joints: Sequence[str], hand: Hand) -> Motors:
+    """The motor of each joint of a hand, shape (n,).
+
+    Raises:
+        DescriptionError: A joint has no motor there; the message names it.
+    """
+    names = [f"{hand}_hand_{name}_joint" for name in DEX3]
+    missing = [name for name in joints if name not in names]
+    if missing:
+        raise DescriptionError(f"joint {missing[0]!r} has no motor in a Dex3; its {len(names)} are {names}")
+    return np.array([names.index(name) for name in joints], dtype=np.intp)

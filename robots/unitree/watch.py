@@ -6,8 +6,10 @@ declared consequence, and none is left without one.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
+from typing import Protocol
 
 import numpy as np
 
@@ -22,6 +24,22 @@ LOST_S = 1.0
 """After this long the wire is lost: it stays damped until a person has looked, whatever comes."""
 
 
+class Wire(Protocol):
+    """Carries messages of one kind out and of another in; ``robots.unitree.dds`` is one over DDS."""
+
+    def send(self, message: Record) -> None:
+        """Send a command; it is never waited for."""
+        ...
+
+    def received(self) -> list[Record]:
+        """The states that have come since the last call, oldest first; it is never waited for."""
+        ...
+
+    def wait(self, longest_s: float) -> None:
+        """Wait for the next state, and no longer than so many seconds."""
+        ...
+
+
 class Trouble(Enum):
     """What can be wrong."""
 
@@ -31,6 +49,7 @@ class Trouble(Enum):
     GARBLED = "garbled"
     WRONG_MODE = "wrong mode"
     MOTOR_ERROR = "motor error"
+    HAND_SILENT = "hand silent"
 
 
 class Consequence(Enum):
@@ -53,11 +72,13 @@ FOLLOWS = {
     Trouble.LATE: Consequence.NONE,
     Trouble.GARBLED: Consequence.NONE,
     Trouble.MOTOR_ERROR: Consequence.STAND,
+    Trouble.HAND_SILENT: Consequence.STAND,
     Trouble.SILENT: Consequence.DAMP,
     Trouble.LOST: Consequence.DAMP_UNTIL_RESET,
     Trouble.WRONG_MODE: Consequence.DAMP_UNTIL_RESET,
 }
-"""The declared consequence of each, the mildest first. What is garbled counts as not having come."""
+"""The declared consequence of each, the mildest first. What is garbled counts as not having come; a hand
+that is silent is damped itself, and the body stands."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +95,12 @@ class WireFinding:
 
     def __str__(self) -> str:
         return f"wire {self.trouble.value}: {self.told}"
+
+
+def by_gravity(found: Iterable[WireFinding]) -> tuple[WireFinding, ...]:
+    """Findings in the order of what follows from them, the gravest last."""
+    order = list(FOLLOWS)
+    return tuple(sorted(found, key=lambda one: order.index(one.trouble)))
 
 
 class WireWatch:
@@ -133,8 +160,7 @@ class WireWatch:
             self._latched = grave[-1]
         if self._latched is not None and self._latched not in found:
             found.append(self._latched)
-        order = list(FOLLOWS)
-        return tuple(sorted(found, key=lambda one: order.index(one.trouble)))
+        return by_gravity(found)
 
     def reset(self, now_s: float) -> str | None:
         """Forget what only a person ends; or say why not: what is so still."""

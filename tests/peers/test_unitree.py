@@ -37,7 +37,7 @@ def referee():
 def hold(body, clock, until, within_s=60.0):
     """Hold home in real time until something is so; whether it came to be."""
     description = body.description
-    q = np.array([description.home[name] for name in description.joints])
+    q = np.array([description.home[name] for name in description.actuated])
     n, k, end_s = len(q), 0, clock.now_s() + within_s
     while clock.now_s() < end_s:
         k += 1

@@ -217,6 +217,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             options.fault,
             options.scene,
             seeing,
+            options.wire,
         )
         for i in range(options.episodes)
     ]
@@ -286,6 +287,12 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--course", choices=sorted(COURSES_BY_NAME), help="of suites stop and cancel: this one alone"
     )
     parser.add_argument("--perception", choices=PERCEPTION_KINDS, help="how the robot sees")
+    parser.add_argument(
+        "--wire",
+        action="store_true",
+        help="of suite pick and those of skills: a body of Unitree behind its low-level interface, with 2 ms "
+        "of delay and 1 percent of the messages lost",
+    )
     parser.add_argument("--light", choices=LIGHT_KINDS, help="of suite perception: another light than drawn")
     parser.add_argument(
         "--own",

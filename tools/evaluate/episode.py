@@ -9,7 +9,7 @@ from executive.understanding.command_parser import parse
 from robots.simulated.camera.feed import CameraFaults
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.judge import HELD_S, Judge
-from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.orders import EpisodeOrder, body_for
 from tools.evaluate.perception.camera_faults import CAMERA_FAULTS, with_camera_fault
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
@@ -37,7 +37,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     if order.fault in CAMERA_FAULTS:
         scene = with_camera_fault(scene, order.fault, TARGET, episode_rng(order.seed, 3))
     phases = PhaseWatch()
-    assembly = assemble(order.robot, scene, order.seed, sink=phases.take, drawn=False)
+    assembly = assemble(order.robot, scene, order.seed, sink=phases.take, drawn=False, body=body_for(order))
     truth, session = assembly.world.truth, assembly.session
     judge = Judge(truth, TARGET)
     session.watch_periods(judge.on_period)

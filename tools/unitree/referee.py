@@ -6,33 +6,35 @@ It knows nothing of who controls it: commands are believed when their check sum 
 follows its own servo's law, states go out every 2 ms with noise. Commands come late and some are lost; states
 too. A command that stays away for 0.1 s leaves the motors without effort, as a robot does.
 
-Faults are told as ``kind:from_s:for_s``: ``silent`` sends no states, ``garbled`` sends wrong sums, ``mode``
-another mode, ``motor`` an error of motor 3, ``stop`` the remote's L2 and B.
+Its hands have topics of their own. Faults are told as ``kind:from_s:for_s``: ``silent`` sends no states at
+all, ``garbled`` sends wrong sums, ``mode`` another mode, ``motor`` an error of motor 3, ``hand`` no states of
+the left hand, ``stop`` the remote's L2 and B.
 """
 
 from __future__ import annotations
 
 import argparse
-from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
+from kinematics.model.robot_description import Hand
 from robots.clock import WallClock
+from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.motor_side import MotorSide
-from robots.simulated.world import build_world
-from robots.unitree.layout import LOW_STATE, Record, empty, is_whole, seal
-from robots.unitree.motors import motors_of
+from robots.simulated.world import SimulatedWorld, build_world
+from robots.unitree.layout import HAND_STATE, LOW_STATE, Record, empty, is_whole, seal
+from robots.unitree.motors import Motors, hand_motors_of, motors_of
+from tools.unitree.played_motors import SERVO, End, PlayedMotors
 
 PERIOD_S = 0.002
 MACHINE = 5
-KINDS = ("silent", "garbled", "mode", "motor", "stop")
-_SERVO = ("q", "dq", "tau", "kp", "kd")
-_FORGOTTEN_S = 0.1
+KINDS = ("silent", "garbled", "mode", "motor", "hand", "stop")
+_BODY_ENABLED, _HAND_ENABLED = (0xFF, 1), (0x70, 0x10)
+"""Bits of a motor's mode, and what they are when it follows."""
 _SICK_MOTOR, _CODE = 3, 17
 _NOISE_RAD, _NOISE_RAD_S = 1e-4, 2e-3
 _L2_AND_B = 1 << 5 | 1 << 9
@@ -67,64 +69,57 @@ class WireFault:
         return cls(kind, float(times[0]), float(times[1]))
 
 
-class End(Protocol):
-    """The robot's end of a wire."""
-
-    def send(self, message: Record) -> None:
-        """Send a state."""
-        ...
-
-    def received(self) -> list[Record]:
-        """Commands that have come."""
-        ...
-
-
 class Referee:
     """The robot on the wire; one call of ``step`` is 2 ms.
 
     Attributes:
         motors: Its motors and joints.
-        jump_rad: The largest step between the positions of two commands that it followed with stiffness.
         refused: Commands with a wrong sum or mode.
     """
 
     def __init__(
         self,
-        robot: str,
+        world: SimulatedWorld,
         end: End,
+        hands: Mapping[Hand, End],
         *,
         hung: bool = False,
+        held: bool = False,
         delay_s: float = 0.0,
         loss: float = 0.0,
         faults: tuple[WireFault, ...] = (),
         seed: int = 0,
     ) -> None:
-        """Stand up in an empty world.
+        """Play the robot of a world.
 
         Args:
-            robot: Name of a robot, or its folder.
+            world: Nobody else lets its time pass.
             end: The robot's end of the wire.
-            hung: Whether it hangs in a harness.
+            hands: The ends of its hands.
+            hung: Whether it is without weight.
+            held: Whether a harness keeps its base where it is.
             delay_s: Commands come so late, and states.
             loss: Share of the messages that is lost, each way.
             faults: What goes wrong.
             seed: Of noise and loss.
         """
-        data = load_robot(robot)
         self._rng = np.random.default_rng(seed)
-        world = build_world(data, SceneDescription("empty"), np.random.default_rng(seed), drawn=False)
-        self._world = world
-        self._slots = motors_of(data.description.joints)
-        self._end, self._loss, self._faults = end, loss, faults
-        late = round(delay_s / PERIOD_S)
-        self._coming: deque[list[Record]] = deque([[] for _ in range(late)])
-        self._going: deque[Record | None] = deque([None] * late)
-        self._command: Record | None = None
-        self._followed = np.zeros(len(self._slots))
-        self._stiff = False
-        self._commanded_s, self._t_s, self._tick = 0.0, 0.0, 0
-        self.motors = MotorSide(world.physics, hung=hung)
-        self.jump_rad, self.refused = 0.0, 0
+        self._world, self._faults, description = world, faults, world.robot.description
+
+        def played(at: End, joints: tuple[str, ...], slots: Motors, enabled: tuple[int, int]) -> PlayedMotors:
+            columns = [description.actuated.index(name) for name in joints]
+            late = round(delay_s / PERIOD_S)
+            return PlayedMotors(at, columns, slots, enabled, late=late, loss=loss, rng=self._rng)
+
+        joints = description.joints
+        self._body = played(end, joints, motors_of(joints), _BODY_ENABLED)
+        self._hands = {
+            hand: played(hands[hand], one.joints, hand_motors_of(one.joints, hand), _HAND_ENABLED)
+            for hand, one in description.grippers.items()
+        }
+        self._t_s, self._tick = 0.0, 0
+        self.motors = MotorSide(world.physics, hung=hung, held=held)
+        self.refused = 0
 
     @property
     def fallen(self) -> bool:
@@ -133,61 +128,65 @@ class Referee:
 
     @property
     def stiff(self) -> bool:
-        """Whether the last command asked for stiffness."""
-        return self._stiff
+        """Whether the last command of the body asked for stiffness."""
+        return self._body.stiff
+
+    @property
+    def jump_rad(self) -> float:
+        """The largest step between the positions of two commands that were followed with stiffness."""
+        return max(one.jump_rad for one in (self._body, *self._hands.values()))
 
     def step(self) -> None:
-        """Take what has come, let the motors follow for a period, and send a state."""
-        self._coming.append([one for one in self._end.received() if self._rng.random() >= self._loss])
-        for command in self._coming.popleft():
-            if not is_whole(command) or int(command["mode_machine"]) != MACHINE:
+        """Take what has come, let the motors follow for a period, and send states."""
+        for command in self._body.commands():
+            if is_whole(command) and int(command["mode_machine"]) == MACHINE:
+                self._body.take(command, self._t_s)
+            else:
                 self.refused += 1
-                continue
-            self._take(command)
-        n = len(self._slots)
-        values = [np.zeros(n)] * 5
-        if self._command is not None and self._t_s - self._commanded_s <= _FORGOTTEN_S:
-            motor = self._command["motor"][self._slots]
-            on = motor["mode"] == 1
-            values = [
-                np.where(on, motor[key], 0.0).astype(np.float64) for key in ("q", "dq", "tau", "kp", "kd")
-            ]
-        self.motors.step(values[0], values[1], values[2], values[3], values[4], PERIOD_S)
+        servo = np.zeros((len(SERVO), len(self.motors.q)))
+        for hand in self._hands.values():
+            for command in hand.commands():
+                hand.take(command, self._t_s)
+            servo[:, hand.columns] = hand.servo(self._t_s)
+        servo[:, self._body.columns] = self._body.servo(self._t_s)
+        q, v, tau, kp, kd = servo
+        self._world.before_period()
+        self.motors.step(q, v, tau, kp, kd, PERIOD_S)
         self._t_s += PERIOD_S
-        self._going.append(self._state())
-        state = self._going.popleft()
-        if state is not None and self._rng.random() >= self._loss:
-            self._end.send(state)
-
-    def _take(self, command: Record) -> None:
-        motor = command["motor"][self._slots]
-        stiff, was = bool((motor["kp"] > 0.0).any()), self._stiff
-        q = motor["q"].astype(np.float64)
-        if stiff and was:
-            self.jump_rad = max(self.jump_rad, float(np.abs(q - self._followed).max()))
-        self._command, self._commanded_s, self._followed, self._stiff = command, self._t_s, q, stiff
-
-    def _state(self) -> Record | None:
         now = {one.kind for one in self._faults if one.from_s <= self._t_s < one.from_s + one.for_s}
-        if "silent" in now:
-            return None
-        state, n = empty(LOW_STATE), len(self._slots)
+        self._body.tell(None if "silent" in now else self._state(now))
+        for name, hand in self._hands.items():
+            silent = "silent" in now or ("hand" in now and name == "left")
+            hand.tell(None if silent else self._sensed(empty(HAND_STATE), hand))
+
+    def _sensed(self, state: Record, played: PlayedMotors) -> Record:
+        """A state with what the motors sense, with noise."""
+        motor, n = state["motor"], len(played.slots)
+        motor["q"][played.slots] = self.motors.q[played.columns] + self._rng.normal(0.0, _NOISE_RAD, n)
+        motor["dq"][played.slots] = self.motors.v[played.columns] + self._rng.normal(0.0, _NOISE_RAD_S, n)
+        motor["tau_est"][played.slots] = self.motors.effort[played.columns]
+        motor["temperature"][played.slots] = 40
+        return state
+
+    def _state(self, now: set[str]) -> Record:
+        """The body's, with the faults of now."""
         self._tick += 1
+        state = self._sensed(empty(LOW_STATE), self._body)
         state["tick"], state["mode_machine"] = self._tick, MACHINE + ("mode" in now)
-        motor = state["motor"]
-        motor["q"][self._slots] = self.motors.q + self._rng.normal(0.0, _NOISE_RAD, n)
-        motor["dq"][self._slots] = self.motors.v + self._rng.normal(0.0, _NOISE_RAD_S, n)
-        motor["tau_est"][self._slots] = self.motors.effort
-        motor["temperature"][self._slots] = 40
         state["imu"]["gyroscope"], state["imu"]["accelerometer"] = self.motors.imu()
         if "motor" in now:
-            motor["motorstate"][_SICK_MOTOR] = _CODE
+            state["motor"]["motorstate"][_SICK_MOTOR] = _CODE
         if "stop" in now:
             state["wireless_remote"][2:4] = np.frombuffer(np.uint16(_L2_AND_B).tobytes(), dtype=np.uint8)
         seal(state)
         if "garbled" in now:
             state["crc"] ^= 1
         return state
+
+
+def empty_world(data: RobotData, seed: int) -> SimulatedWorld:
+    """A robot that stands on a floor, with nothing else."""
+    return build_world(data, SceneDescription("empty"), np.random.default_rng(seed), drawn=False)
 
 
 def serve(referee: Referee, clock: WallClock, goes_on: Callable[[], bool]) -> None:
@@ -209,7 +208,8 @@ def main() -> None:
     parser.add_argument("--robot", default="g1")
     parser.add_argument("--domain", type=int, default=0)
     parser.add_argument("--interface", default="lo")
-    parser.add_argument("--hung", action="store_true", help="it hangs in a harness that carries it")
+    parser.add_argument("--hung", action="store_true", help="it is without weight")
+    parser.add_argument("--held", action="store_true", help="a harness keeps its pelvis where it is")
     parser.add_argument("--arms", action="store_true", help="take commands of arm_sdk")
     parser.add_argument("--delay-ms", type=float, default=0.0)
     parser.add_argument("--loss", type=float, default=0.0)
@@ -217,12 +217,16 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--seed", type=int, default=0)
     chosen = parser.parse_args()
-    from robots.unitree.dds import robot_end
+    from robots.unitree.dds import robot_end, robot_hand_end
 
+    network, data = (chosen.domain, chosen.interface), load_robot(chosen.robot)
+    hands = data.description.grippers
     referee = Referee(
-        chosen.robot,
-        robot_end(chosen.domain, chosen.interface, arms_only=chosen.arms),
+        empty_world(data, chosen.seed),
+        robot_end(*network, arms_only=chosen.arms),
+        {hand: robot_hand_end(hand, *network) for hand in hands},
         hung=chosen.hung,
+        held=chosen.held,
         delay_s=0.001 * chosen.delay_ms,
         loss=chosen.loss,
         faults=tuple(chosen.fault),

@@ -62,7 +62,7 @@ class Recorder:
         self, path: Path, model: RobotModel, about: Mapping[str, str], zero_ns: int | None = None
     ) -> None:
         self._messages, self._layout = StateMessages(model.description), ReportLayout(model)
-        self._urdf, self._robot = model.description.urdf, model.description.name
+        self._robot = model.description
         self._log, self._zero_ns = McapLog(path, about), zero_ns
         self._due_s = dict.fromkeys(_EVERY_S, float("-inf"))
         self._begun = False
@@ -76,7 +76,7 @@ class Recorder:
         messages, log = self._messages, self._log
         if not self._begun:
             self._begun = True
-            log.write("/robot_description", String(self._urdf), at_ns)
+            log.write("/robot_description", String(self._robot.urdf), at_ns)
             log.write("/tf_static", messages.fixed_transforms(stamp), at_ns)
         if self._is_due("joints", report.t_s):
             log.write("/joint_states", messages.joints(report, stamp), at_ns)

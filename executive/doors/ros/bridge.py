@@ -209,7 +209,7 @@ class Publications:
 
     def status(self, told: Mapping[str, Any]) -> None:
         """Publish how things stand."""
-        self._diagnostics.write(diagnostics(told, self._model.description.name, _now()))
+        self._diagnostics.write(diagnostics(told, self._model.description, _now()))
 
     def scene(self, things: list[dict[str, Any]]) -> None:
         """Publish what is believed."""

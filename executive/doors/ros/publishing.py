@@ -40,6 +40,8 @@ from robots.live.documents.robot_report import RobotReport
 
 ODOM, BASE = "odom", "base_link"
 _FINE, _WARNING, _ERROR = 0, 1, 2
+ESTIMATED = "estimated from the legs' efforts and the IMU"
+"""What is told of the wrenches of feet without sensors."""
 _UNKNOWN = [-1.0, *[0.0] * 8]
 
 
@@ -115,8 +117,9 @@ def _transform(
     return TransformStamped(Header(stamp, parent), child, Transform(Vector3(*place), Quaternion(*turn)))
 
 
-def diagnostics(status: Mapping[str, Any], hardware: str, stamp: Time) -> DiagnosticArray:
-    """How control and executive stand, from the answer to a status question."""
+def diagnostics(status: Mapping[str, Any], robot: RobotDescription, stamp: Time) -> DiagnosticArray:
+    """How all stands, from the answer to a status question, and whether the feet have sensors."""
+    hardware = robot.name
     defects, reservations = status.get("defects") or (), status.get("reservations") or ()
     emergency = status.get("emergency")
     engaged = emergency if isinstance(emergency, str) else (emergency or {}).get("engaged", "")
@@ -130,6 +133,9 @@ def diagnostics(status: Mapping[str, Any], hardware: str, stamp: Time) -> Diagno
         ),
         DiagnosticStatus(_FINE, "task", str(status.get("task") or "waits for a task"), hardware),
     ]
+    if robot.soles:
+        told = "measured" if robot.foot_sensors else ESTIMATED
+        parts.append(DiagnosticStatus(_FINE, "foot wrenches", told, hardware))
     return DiagnosticArray(Header(stamp, ""), parts)
 
 

@@ -8,7 +8,7 @@ from kinematics.estimation.leg_wrench import LegWrench
 from kinematics.model.robot_description import RobotDescription
 from kinematics.model.robot_model import RobotModel
 from robots.interface.hardware import Hardware
-from robots.interface.robot import JointSetpoint, Robot, RobotState
+from robots.interface.robot import JointSetpoint, Robot, RobotState, reset_body
 
 
 def with_felt_feet(robot: Robot, model: RobotModel) -> Robot:
@@ -48,7 +48,7 @@ class FeltFeet:
             wrench = self._estimate.update(
                 own.stamp_s, own.q[:n], own.v[:n], own.effort[:n], own.gyro, own.accelerometer
             )
-            self._reading = own, replace(own, foot_wrench=wrench.copy())
+            self._reading = own, replace(own, foot_wrench=wrench.copy(), feet_estimated=True)
         return self._reading[1]
 
     def command(self, setpoint: JointSetpoint) -> None:
@@ -58,3 +58,7 @@ class FeltFeet:
     def advance(self, period_s: float) -> None:
         """Let one control period pass."""
         self._robot.advance(period_s)
+
+    def reset(self) -> str | None:
+        """A person has looked at the robot."""
+        return reset_body(self._robot)

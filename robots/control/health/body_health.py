@@ -19,6 +19,7 @@ _GYRO_WINDOW_S = 1.0
 _GYRO_STEP_S = 0.1
 """Turning is compared over such steps: short enough that the gyro's axes hardly turn on the way."""
 _FOOT_TIME_S = 0.1
+"""Contact is lost after so long; what is estimated is averaged over it, for its noise is as its bound."""
 _PACE_TIME_S = 1.0
 
 
@@ -37,6 +38,7 @@ class BodyHealth:
         self._excess: deque[Array] = deque(maxlen=round(_GYRO_WINDOW_S / _GYRO_STEP_S))
         self._gyro_bias = 0.0
         self._unloaded_s = [0.0] * len(self._soles)
+        self._estimated_n = np.zeros(len(self._soles))
         self._late_share = 0.0
 
     def forget(self) -> None:
@@ -94,8 +96,13 @@ class BodyHealth:
 
     def _feet(self, sensed: SensedState, standing: bool) -> list[Finding]:
         found, bound = [], self._limits.foot_force_n
+        forces = sensed.readings.foot_wrench[:, 2]
+        if sensed.readings.feet_estimated:
+            bound -= self._limits.foot_error_n
+            self._estimated_n += self._period_s / _FOOT_TIME_S * (forces - self._estimated_n)
+            forces = self._estimated_n
         for i, sole in enumerate(self._soles):
-            force = float(sensed.readings.foot_wrench[i, 2])
+            force = float(forces[i])
             unloaded = standing and force < bound and not self._stands_on_the_other(sensed.q, i)
             self._unloaded_s[i] = self._unloaded_s[i] + self._period_s if unloaded else 0.0
             if self._unloaded_s[i] > _FOOT_TIME_S:

@@ -85,7 +85,14 @@ class HealthMonitor:
     def _of_joints(
         self, sensed: SensedState, setpoint: JointSetpoint, in_contact: bool, room: float
     ) -> list[Finding]:
-        """What is wrong with joints; one that a pressed hand holds back is not stuck."""
+        """What is wrong with joints; one that a pressed hand holds back is not stuck.
+
+        Motors that are damped or taken up do less than their servos' law: nothing is told from them.
+        """
+        if not sensed.readings.following:
+            self._joints.forget()
+            self._resistance.forget()
+            return []
         resistance = self._resistance
         jammed = resistance.judge(sensed.readings, setpoint, room)
         found = [

@@ -100,7 +100,7 @@ class ControlLoop:
         self._walker = Walker(model, hardware, self._streamer, authority, clock, sink, period_s)
         self._forgiven = 0
         health = HealthMonitor(model, hardware, period_s)
-        self._safeguards = Safeguards(health, self._streamer, self._record, clock, sink)
+        self._safeguards = Safeguards(health, self._streamer, self._record, clock, sink, self._robot)
         groups = model.description.groups
         self._legs = frozenset((*groups["left_leg"], *groups["right_leg"]))
         self.model = model
@@ -266,8 +266,8 @@ class ControlLoop:
 
     def _command(self) -> None:
         state = self.sensing.state().readings
-        if state.alarm:
-            self.emergency_stop(state.alarm)
+        if alarm := self._safeguards.alarm(state):
+            self.emergency_stop(alarm)
         if self._limp:
             self._gate.go_limp(state.q, state.v)
             return

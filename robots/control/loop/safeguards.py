@@ -9,7 +9,7 @@ from robots.control.health.health_monitor import HealthMonitor
 from robots.control.loop.control_record import ControlRecord
 from robots.control.loop.emergency_stop import EmergencyLatch, EmergencyStop, PersonsReset
 from robots.control.streaming.motion_streamer import MotionStreamer
-from robots.interface.robot import JointSetpoint
+from robots.interface.robot import JointSetpoint, Robot, RobotState, reset_body
 from robots.interface.sensed_state import SensedState
 
 
@@ -26,6 +26,7 @@ class Safeguards:
         record: ControlRecord,
         clock: Clock,
         sink: ControlSink,
+        robot: Robot,
     ) -> None:
         """Take motions, until something stands against it.
 
@@ -35,6 +36,7 @@ class Safeguards:
             record: Where findings go.
             clock: For stamps.
             sink: Where other events go.
+            robot: The body, which may have something to be reset itself.
         """
         self._health = health
         self._streamer = streamer
@@ -42,6 +44,7 @@ class Safeguards:
         self._clock, self._sink = clock, sink
         self._latch = EmergencyLatch()
         self._powerless = False
+        self._robot, self._told_before = robot, False
 
     @property
     def engaged(self) -> EmergencyStop | None:
@@ -88,14 +91,24 @@ class Safeguards:
         if still:
             self._record.health([], self._health.acknowledge())
             self._close_or_open()
-        reason = self._latch.why_not_open(still, self.defects)
+        reason = self._latch.why_not_open(still, self.defects) or reset_body(self._robot)
         if reason is not None:
             self._sink(ResetRefused(self._clock.now_s(), request.person, reason))
             return reason
         self._latch.open()
+        self._told_before = True
         self._close_or_open()
         self._sink(EmergencyReset(self._clock.now_s(), request.person))
         return None
+
+    def alarm(self, state: RobotState) -> str:
+        """Why the body asks for its emergency stop, or nothing; asked once a control period.
+
+        Args:
+            state: What was sensed; those of the period in which a person reset speak of the time before.
+        """
+        before, self._told_before = self._told_before, False
+        return "" if before else state.alarm
 
     def look(self, state: SensedState, setpoint: JointSetpoint, walking: bool) -> Finding | None:
         """Judge the robot's health once a control period.

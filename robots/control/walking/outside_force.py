@@ -31,14 +31,18 @@ _EVERY = 25
 class OutsideForce:
     """Estimates the force of the surroundings on the robot: what the soles' forces do not explain."""
 
-    def __init__(self, mass_kg: float, sides: Sequence[Hand], period_s: float) -> None:
+    def __init__(
+        self, mass_kg: float, sides: Sequence[Hand], period_s: float, foot_error_n: float = 0.0
+    ) -> None:
         """Begin to walk.
 
         Args:
             mass_kg: Of the robot with what it carries.
             sides: Of the soles, in the order of the wrenches.
             period_s: The control period.
+            foot_error_n: By so much the soles' forces may be wrong: what pushes has to be larger.
         """
+        self._most_n = MOST_N + foot_error_n
         self._mass_kg, self._sides = mass_kg, sides
         self._look_s = _EVERY * period_s
         self._forces = np.zeros((len(sides), 3))
@@ -84,9 +88,9 @@ class OutsideForce:
         old, middle, new = self._missing[0], self._missing[self._half], self._missing[-1]
         first, last = _mean(old, middle), _mean(middle, new)
         force_n = min(math.hypot(*first), math.hypot(*last))
-        if force_n <= MOST_N or first[0] * last[0] + first[1] * last[1] <= 0.0:
+        if force_n <= self._most_n or first[0] * last[0] + first[1] * last[1] <= 0.0:
             return None
-        return Refusal(Limit.FORCE, "something on the body", force_n, MOST_N)
+        return Refusal(Limit.FORCE, "something on the body", force_n, self._most_n)
 
 
 def _mean(before: Point, after: Point) -> Point:

@@ -97,7 +97,8 @@ class Walk:
         )
         self._push_watch = PushWatch()
         sides = [sole.side for sole in model.description.soles]
-        self._outside = OutsideForce(model.mass_kg, sides, period_s)
+        foot_error_n = 0.0 if model.description.foot_sensors else hardware.health.foot_error_n
+        self._outside = OutsideForce(model.mass_kg, sides, period_s, foot_error_n)
         self.held_back: Refusal | None = None
         self._wrench: Array | None = None
         self._most = gains.effort_share * model.effort

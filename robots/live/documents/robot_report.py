@@ -61,6 +61,7 @@ class ReportLayout:
         n, feet = len(description.actuated), len(description.soles)
         self._soles = tuple(sole.frame for sole in description.soles)
         self._hands = tuple(description.grippers)
+        self._feet_estimated = feet > 0 and not description.foot_sensors
         own = (3, n, n, n, 3, 3, 6 * feet, model.nq, model.nq)
         sizes = (*own, 16 * feet, 4 * len(self._hands), 4 * MOST_LANDINGS)
         self._slide = {hand: gripper.slides for hand, gripper in description.grippers.items()}
@@ -99,7 +100,17 @@ class ReportLayout:
             row, self._ends
         )
         landings = ahead.reshape(-1, 4)
-        readings = RobotState(float(head[0]), q, v, effort, gyro, accelerometer, wrench.reshape(-1, 6))
+        felt_feet = wrench.reshape(-1, 6)
+        readings = RobotState(
+            float(head[0]),
+            q,
+            v,
+            effort,
+            gyro,
+            accelerometer,
+            felt_feet,
+            feet_estimated=self._feet_estimated,
+        )
         poses = soles.reshape(-1, 4, 4)
         grippers = {
             hand: GripperReading(hand, float(p), float(opening), float(nm), bool(holding), self._slide[hand])

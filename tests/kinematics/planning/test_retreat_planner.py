@@ -7,7 +7,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import Stance
+from kinematics.model.stance import Stance, stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.model.support_polygon import SupportPolygon
 from kinematics.planning.retreat_planner import plan_retreat
@@ -84,3 +84,23 @@ def test_where_joints_are_near_their_limits_the_way_does_not_swing_beyond_them(m
         joints = plan.step.trajectory.q[:, 7:]
         assert (joints >= model.lower_rad).all()
         assert (joints <= model.upper_rad).all()
+
+
+NEARLY_STRETCHED = [
+    0.0177, 0.0019, 0.7624, -0.1601, 0.5126, 0.1213, -0.0975, 0.1746, -0.48,
+    -0.684, 0.4014, 0.2565, 1.0647, -0.1571, 0.0324, -0.1077,
+    1.1618, -0.3526, -0.2137, -0.5558, -0.0047, 0.0829, -0.0481,
+]  # fmt: skip
+"""Free coordinates of G1 holding a bottle over a low table, to the left: the right knee is at 0.03 rad."""
+
+
+def test_a_hand_goes_on_where_a_leg_is_nearly_stretched():
+    small = RobotModel(load_description("g1"))
+    stance = stance_at(small, small.q_home)
+    q, _ = free_coordinates(StandingRobot(small, stance)).to_q(np.array([NEARLY_STRETCHED]))
+
+    plan = plan_retreat(small, RetreatRequest(q[0], stance, PlanningScene(), "left", (0.0, 0.0, -0.008)))
+
+    assert isinstance(plan, MovePlan), str(plan)
+    knees = [7 + small.joints.index(f"{side}_knee_joint") for side in ("left", "right")]
+    assert plan.step.trajectory.q[-1, knees].min() > 0.09

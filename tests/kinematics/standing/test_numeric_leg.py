@@ -104,3 +104,14 @@ def test_a_leg_of_too_few_joints_is_refused(g1):
 
     with pytest.raises(ModelError, match="six joints"):
         NumericLeg(RobotModel(description), "left_leg", "left_sole", placed["left_sole"])
+
+
+def test_knees_are_kept_off_where_a_millimetre_more_is_out_of_reach(g1):
+    legs = LegIk(StandingRobot(g1, stance_at(g1, g1.q_home)))
+
+    ranges = legs.bent_knees(g1)
+
+    assert set(ranges) == {"left_knee_joint", "right_knee_joint"}
+    for low, high in ranges.values():
+        assert low == pytest.approx(0.1, abs=0.02)
+        assert high == pytest.approx(2.8798)

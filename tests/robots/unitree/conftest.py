@@ -6,7 +6,7 @@ import pytest
 from robots.clock import ManualClock
 from robots.interface.robot import JointSetpoint
 from robots.models.description import load_robot
-from robots.unitree.layout import LOW_STATE, empty, seal
+from robots.unitree.layout import HAND_STATE, LOW_STATE, empty, seal
 from robots.unitree.motors import G1
 from robots.unitree.robot import UnitreeRobot
 
@@ -16,6 +16,13 @@ class HeldWire:
 
     def __init__(self, clock):
         self.clock, self.sent, self.coming, self.tick = clock, [], [], 0
+
+    def put_hand(self, q=0.0):
+        """One more state, of a hand."""
+        state = empty(HAND_STATE)
+        state["motor"]["q"] = q
+        self.coming.append(state)
+        return state
 
     def put(self, q=None, *, whole=True, **changes):
         """One more state."""
@@ -54,14 +61,18 @@ def clock():
 
 @pytest.fixture
 def wire(clock):
+    """The body's, with a wire for each hand; all are heard."""
     held = HeldWire(clock)
     held.put()
+    held.hands = {hand: HeldWire(clock) for hand in ("left", "right")}
+    for one in held.hands.values():
+        one.put_hand()
     return held
 
 
 @pytest.fixture
 def body(g1, wire, clock):
-    return UnitreeRobot(g1, wire, clock, take_up_s=0.1)
+    return UnitreeRobot(g1, wire, clock, wire.hands, take_up_s=0.1)
 
 
 @pytest.fixture
@@ -69,7 +80,7 @@ def setpoint(g1):
     """A setpoint that has all joints at one angle."""
 
     def make(q=0.2, tau=1.0):
-        n = len(g1.description.joints)
+        n = len(g1.description.actuated)
         return JointSetpoint(0.0, 1, "hold", np.full(n, q), np.zeros(n), np.full(n, tau))
 
     return make

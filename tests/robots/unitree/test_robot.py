@@ -16,12 +16,15 @@ def kinds(body):
     return [one.trouble for one in body.findings]
 
 
-def run(body, wire, setpoint, periods, q=0.0, states=True, **changes):
+def run(body, wire, setpoint, periods, q=0.0, states=True, hand_q=0.0, silent=(), **changes):
     """So many periods of 2 ms, each with a state or without."""
     for _ in range(periods):
         body.command(setpoint)
         if states:
             wire.put(q, **changes)
+            for name, hand in wire.hands.items():
+                if name not in silent:
+                    hand.put_hand(hand_q)
         body.advance(0.002)
 
 
@@ -60,9 +63,9 @@ def test_what_the_motors_tell_is_read_in_the_joints_own_order(g1, wire, body):
 
     body.advance(0.002)
 
-    assert body.read().q == pytest.approx(told[motors_of(g1.description.joints)])
+    assert body.read().q[:29] == pytest.approx(told[motors_of(g1.description.joints)])
     assert body.read().foot_wrench.shape == (0, 6)
-    assert body.read().temperature_c.shape == (29,)
+    assert body.read().temperature_c.shape == (43,)
 
 
 @pytest.mark.parametrize(
@@ -115,16 +118,28 @@ def test_a_wire_that_was_lost_stays_damped_until_a_person_resets(wire, body, set
     assert body.read().alarm == ""
 
 
+def test_readings_tell_whether_the_motors_follow_with_all_their_stiffness(wire, body, setpoint):
+    run(body, wire, setpoint(), 20)
+    assert not body.read().following
+
+    run(body, wire, setpoint(), 40)
+    assert body.read().following
+
+    run(body, wire, setpoint(), 60, states=False)
+    assert not body.read().following
+
+
 def test_garbled_states_count_as_none_and_are_told(wire, body, setpoint):
     run(body, wire, setpoint(), 60)
 
     for _ in range(60):
         body.command(setpoint())
         wire.put(9.9, whole=False)
+        wire.hands["left"].put_hand()
         body.advance(0.002)
 
     assert kinds(body) == [Trouble.GARBLED, Trouble.SILENT]
-    assert body.read().q == pytest.approx(0.0)
+    assert body.read().q[:29] == pytest.approx(0.0)
     assert stiff(wire.sent[-1]) == 0.0
 
 
@@ -175,7 +190,7 @@ def test_the_remotes_stop_asks_for_the_emergency_stop(wire, body):
 
 
 def test_arms_alone_are_commanded_with_a_weight_that_rises(g1, wire, clock, setpoint):
-    body = UnitreeRobot(g1, wire, clock, arms_only=True, take_up_s=0.1)
+    body = UnitreeRobot(g1, wire, clock, wire.hands, arms_only=True, take_up_s=0.1)
 
     run(body, wire, setpoint(), 60)
 
@@ -199,8 +214,9 @@ def test_a_robot_that_says_nothing_is_told_with_what_to_look_at(g1):
             self.clock.advance(longest_s)
 
     clock = ManualClock()
+    nobody = Nothing(clock)
     with pytest.raises(SilentRobotError, match=r"no state on rt/lowstate within 0.5 s .*network interface"):
-        UnitreeRobot(g1, Nothing(clock), clock, first_within_s=0.5)
+        UnitreeRobot(g1, nobody, clock, {"left": nobody, "right": nobody}, first_within_s=0.5)
 
 
 def test_a_setpoint_that_is_not_finite_is_refused_and_nothing_is_sent(wire, body, setpoint):

@@ -18,7 +18,7 @@ from executive.trust import OnQuestion
 from executive.vocabulary.in_a_place import words_of_the_place
 from robots.scenes.scene_description import names_of_people, spoken_words
 from tools.evaluate.faults import FaultBench, FaultState
-from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.orders import EpisodeOrder, body_for
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.records import EpisodeRecord, broken_episode
 from tools.evaluate.scenes import episode_rng, seen_by
@@ -93,7 +93,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
         for judge in judges:
             judge.on_event(event)
 
-    assembly = assemble(order.robot, trial.scene, order.seed, sink=sink, drawn=False)
+    assembly = assemble(order.robot, trial.scene, order.seed, sink=sink, drawn=False, body=body_for(order))
     judge = SKILL_SUITES[suite].judge(assembly, trial, episode_rng(order.seed, 11))
     judges.append(judge)
     watch = SafetyWatch(assembly.world.truth, lambda: assembly.loop.walking.active)

@@ -98,6 +98,7 @@ def test_frames_beliefs_and_diagnostics_are_read_back(recorded, read):
     assert seen.detections[0].bbox.size.z == pytest.approx(0.1)
     assert seen.detections[0].results[0].pose.covariance[7] == pytest.approx(9e-6)
     assert topics["/diagnostics"][0][1].status[0].message == "arm_left_1 is hot"
+    assert topics["/diagnostics"][0][1].status[-1].message == "measured"
     assert json.loads(topics["/executive/tree"][0][1].data)[0]["message"] == "1 of 3"
     assert topics["/rosout"][0][1].msg == "accepted: wave"
 

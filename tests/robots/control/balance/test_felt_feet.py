@@ -29,6 +29,8 @@ def test_the_weight_is_felt_and_the_simulators_own_sensors_are_not_read(small):
     assert not world.robot.read().foot_wrench.any()
     assert felt[:, 2].sum() == pytest.approx(loop.model.mass_kg * 9.81, rel=0.04)
     assert felt[:, 2].min() > 100.0
+    assert loop.sensing.state().readings.feet_estimated
+    assert not world.robot.read().feet_estimated
 
 
 def test_readings_are_estimated_once_a_period(small):

@@ -23,6 +23,11 @@ LIFTING_WRIST = "arm_left_7_joint"
 ANKLE = "leg_left_6_joint"
 
 
+WIDE = dataclasses.replace(
+    HARDWARE, health=dataclasses.replace(HARDWARE.health, foot_force_n=20.0, foot_error_n=15.0)
+)
+
+
 @pytest.fixture(scope="module")
 def talos():
     return RobotModel(load_description("talos"))
@@ -43,7 +48,7 @@ class Body:
         self.periods, self.new, self.over = 0, [], []
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
-        self.lean_rad, self.stepping = 0.0, False
+        self.lean_rad, self.stepping, self.estimated, self.following = 0.0, False, False, True
         self.touch, self.slower_rad_s = np.zeros(len(self.q)), np.zeros(len(self.q))
 
     def index(self, joint):
@@ -72,6 +77,8 @@ class Body:
                 np.zeros(3),
                 feet,
                 self.battery,
+                feet_estimated=self.estimated,
+                following=self.following,
             )
             # the servo goes by its encoder, so that position and speed alone tell of the offset
             setpoint = JointSetpoint(0.0, 1, "hold", wanted + self.offset, v, self.tau)
@@ -348,6 +355,35 @@ def test_a_foot_that_loses_the_floor_is_noticed_and_over_when_it_carries_again(b
 
     assert body.over == body.new
     assert not body.monitor.findings
+
+
+def test_motors_that_are_taken_up_give_less_than_their_law_and_are_not_weak(body):
+    body.run(0.5)
+    body.following, body.share[:] = False, 0.3
+    body.run(0.5)
+    assert body.ailments() == []
+
+    body.following = True
+    body.run(0.5)
+    assert (Ailment.WEAK, ELBOW) in body.ailments()
+
+
+def test_estimated_forces_have_wider_bounds_and_are_averaged(talos):
+    body = Body(talos, WIDE)
+    body.estimated = True
+    body.run(0.5)
+    body.load[1] = 12.0
+    body.run(0.5)
+    assert body.ailments() == []
+
+    rng = np.random.default_rng(4)
+    for _ in range(400):  # in the air, as noisy as an estimate is
+        body.load[1] = float(rng.normal(0.0, 5.0))
+        body.run(PERIOD_S)
+
+    assert body.ailments() == [(Ailment.FOOT_CONTACT_LOST, "leg_right_6_link")]
+    assert body.new[0].bound == pytest.approx(5.0)
+    assert not body.over
 
 
 def test_a_foot_need_not_carry_while_the_weight_is_above_the_other(body):

@@ -14,9 +14,9 @@ PERIOD_S = 0.002
 MASS_KG = 90.0
 
 
-def walked(outside_n, seconds=2.0, yaw_rad=0.0, soles_n=lambda _t: 60.0, leaning_rad=0.0):
+def walked(outside_n, seconds=2.0, yaw_rad=0.0, soles_n=lambda _t: 60.0, leaning_rad=0.0, error_n=0.0):
     """What is told while the soles push and something else pushes as well; the CoM moves as both say."""
-    watch = OutsideForce(MASS_KG, ("left", "right"), PERIOD_S)
+    watch = OutsideForce(MASS_KG, ("left", "right"), PERIOD_S, error_n)
     feet = {"left": PlanarPose(0.0, 0.1, yaw_rad), "right": PlanarPose(0.0, -0.1, yaw_rad)}
     leaning = poses.rotation_y(leaning_rad)
     speed, told = 0.0, []
@@ -56,3 +56,9 @@ def test_soles_that_lean_on_the_edge_of_a_plate_take_no_weight_for_a_push():
 
 def test_a_weight_on_somebodys_hand_may_pull_a_little():
     assert walked(lambda _t: -60.0) == []
+
+
+def test_what_the_soles_are_only_estimated_to_do_has_to_be_exceeded_by_their_error():
+    assert walked(lambda _t: -90.0)
+    assert walked(lambda _t: -90.0, error_n=15.0) == []
+    assert walked(lambda _t: -100.0, error_n=15.0)
