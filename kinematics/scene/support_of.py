@@ -40,26 +40,26 @@ def half_height_m(item: SceneObject) -> float:
 def supports_of(
     item: SceneObject, scene: PlanningScene, gap_m: float = TOUCHING_M, beside_m: float = BESIDE_M
 ) -> list[str]:
-    """Names of the furniture right under an object.
+    """Names of what is right under an object: furniture first, then things that it may be stacked on.
 
     Args:
         item: The object.
         scene: What is around.
-        gap_m: Between its lowest point and the top of the furniture, at most.
-        beside_m: Its middle may be so far beyond the edge.
+        gap_m: Between its lowest point and the top of what carries it, at most.
+        beside_m: Its middle may be so far beyond the edge of furniture; it is over a thing, or beside that.
     """
     bottom = lowest_point_m(item)
-    names = []
+    names: dict[bool, list[str]] = {False: [], True: []}
     for other in scene.objects.values():
-        if other.movable or other.name == item.name:
+        if other.name == item.name or abs(bottom - top_m(other)) > gap_m:
             continue
-        if abs(bottom - top_m(other)) <= gap_m and _is_over(item, other, beside_m):
-            names.append(other.name)
-    return names
+        if _is_over(item, other, 0.0 if other.movable else beside_m):
+            names[other.movable].append(other.name)
+    return names[False] + names[True]
 
 
 def under_foot_of(item: SceneObject, scene: PlanningScene) -> list[str]:
-    """Names of the furniture under any part of an object's foot: a chest's top, and the wall that carries it.
+    """Names of what is under any part of an object's foot: a chest's top, and the wall that carries it.
 
     Args:
         item: The object.
@@ -69,9 +69,16 @@ def under_foot_of(item: SceneObject, scene: PlanningScene) -> list[str]:
 
 
 def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:
-    """The piece of furniture that an object stands on, both perceived ``gap_m`` wrong at most."""
-    names = supports_of(item, scene, gap_m, gap_m)
-    return scene.objects[names[0]] if names else None
+    """The piece of furniture that an object stands on, be it on other things, all ``gap_m`` wrong at most."""
+    below, passed = item, {item.name}
+    while True:
+        names = [name for name in supports_of(below, scene, gap_m, gap_m) if name not in passed]
+        if not names:
+            return None
+        below = scene.objects[names[0]]
+        if not below.movable:
+            return below
+        passed.add(below.name)
 
 
 def _is_over(item: SceneObject, other: SceneObject, beside_m: float) -> bool:

@@ -104,11 +104,11 @@ class ScriptedWorld:
         self._solids = None
 
     def drop(self, name: str) -> None:
-        """Let a carried thing fall to whatever is below: a piece of furniture, or the floor."""
+        """Let a carried thing fall to whatever is below: a piece of furniture, a box, or the floor."""
         self._carried.pop(name, None)
         item = self._objects[name]
         place = item.world_T_object.copy()
-        place[2, 3] = self._ground_m(place[:3, 3]) + 0.5 * _height_m(item.shape)
+        place[2, 3] = self._ground_m(place[:3, 3], name) + 0.5 * _height_m(item.shape)
         self._place(name, place)
 
     # for the robot's side
@@ -145,13 +145,14 @@ class ScriptedWorld:
         place = item.world_T_object[:3, 3].copy()
         low = float(place[2]) - 0.5 * _height_m(item.shape)
         place[2] += 0.05  # a thing that is pressed into its support is above it all the same
-        depth = self._ground_m(place) - low
+        depth = self._ground_m(place, name) - low
         return max(depth, 0.0) if depth >= -within_m else None
 
-    def _ground_m(self, point: NDArray[np.float64]) -> float:
+    def _ground_m(self, point: NDArray[np.float64], name: str) -> float:
+        """Height of what is below a thing: furniture, or a box; what is round is hollow here, as a bowl."""
         tops = [0.0]
         for item in self._objects.values():
-            if item.category == "furniture" and isinstance(item.shape, Box):
+            if item.category != "person" and item.name != name and isinstance(item.shape, Box):
                 centre = item.world_T_object[:3, 3]
                 if np.all(np.abs(point[:2] - centre[:2]) <= 0.5 * np.array(item.shape.size_m[:2])):
                     tops.append(float(centre[2]) + 0.5 * item.shape.height_m)

@@ -151,6 +151,16 @@ def solids(item: Furniture) -> tuple[FurnitureSolid, ...]:
     return (top, *legs)
 
 
+def region_plates(item: Furniture) -> tuple[FurnitureSolid, ...]:
+    """The floors of its named regions, as what is told of them: "stove/burner"."""
+    plates = []
+    for region in item.regions:
+        size, place = region.plate
+        pose = floor_pose(item) @ poses.translation(*place)
+        plates.append(FurnitureSolid(f"{item.name}/{region.name}", Box(size), pose))
+    return tuple(plates)
+
+
 _BOXES: Mapping[str, Callable[[Furniture], Boxes]] = MappingProxyType(
     {
         WALL: wall_boxes,

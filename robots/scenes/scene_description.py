@@ -20,6 +20,7 @@ from robots.scenes.fixture import Control, FixedBox
 from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
 from robots.scenes.meshes.object_model import ObjectModel
+from robots.scenes.named_region import NamedRegion
 from robots.scenes.scene_words import ANY_LABEL, COLORS
 
 Posture = Literal["standing", "sitting", "lying"]
@@ -115,7 +116,7 @@ class Furniture:
     ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
     ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one. Of a fixture
     (see ``robots.scenes.fixture``) ``foot_m`` is the height of its underside, ``boxes`` what it is made of
-    where that is not one box, and ``controls`` are its knobs and buttons.
+    where that is not one box, and ``controls`` are its knobs and buttons. ``regions`` are parts with names.
     """
 
     name: str
@@ -128,6 +129,7 @@ class Furniture:
     foot_m: float = 0.0
     boxes: tuple[FixedBox, ...] = ()
     controls: tuple[Control, ...] = ()
+    regions: tuple[NamedRegion, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,7 +272,8 @@ def spoken_words(scene: SceneDescription) -> frozenset[str]:
     for item in scene.objects:
         words |= {item.kind, *told_names(item.name, item.kind, item.names), *item.categories}
     own = (own_name(piece.name, piece.kind) for piece in scene.furniture)
-    return frozenset({*words, *filter(None, own)})
+    parts = (region.name for piece in scene.furniture for region in piece.regions)
+    return frozenset({*words, *filter(None, own), *parts})
 
 
 def names_of_people(scene: SceneDescription) -> frozenset[str]:

@@ -13,6 +13,7 @@ from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.fixture import Control, FixedBox
 from robots.scenes.light import Light, LightChange, LightKind
 from robots.scenes.meshes.sidecar import UpKey
+from robots.scenes.named_region import NamedRegion
 from robots.scenes.scene_description import (
     Furniture,
     MovingPart,
@@ -46,6 +47,7 @@ class _PieceTable(StrictTable):
     position_m: Pair
     yaw_rad: FiniteFloat = 0.0
     friction: FiniteFloat = 0.7
+    region: list[Annotated[NamedRegion, AsTable()]] = Field(default_factory=list)
 
     def value(self) -> Furniture:
         """What it says."""
@@ -57,6 +59,7 @@ class _PieceTable(StrictTable):
             yaw_rad=self.yaw_rad,
             friction=self.friction,
             opens=self.part(),
+            regions=tuple(self.region),
         )
 
     def part(self) -> MovingPart | None:

@@ -16,6 +16,7 @@ from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.fixture import fixture_defect
 from robots.scenes.furniture_names import FIXTURE, kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
+from robots.scenes.named_region import region_defect
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m
 from robots.scenes.scene_description import (
@@ -192,6 +193,7 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     defect = part_defect(piece)
     if piece.kind == FIXTURE:
         defect = defect or fixture_defect(piece.size_m, piece.foot_m, piece.boxes, piece.controls)
+    defect = defect or region_defect(piece.regions)
     if defect is not None:
         raise SceneError(source, f"{key}.{defect[0]}", f"{piece.name!r}: {defect[1]}")
 

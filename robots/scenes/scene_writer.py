@@ -52,6 +52,9 @@ def dump(scene: SceneDescription) -> str:
         for control in piece.controls:
             said = {item.name: getattr(control, item.name) for item in fields(Control)}
             lines += ["[[furniture.control]]", *_pairs(**said)]
+        for part in piece.regions:
+            said = {"name": part.name, "size_m": part.size_m, "position_m": part.position_m}
+            lines += ["[[furniture.region]]", *_pairs(**said)]
     for person in scene.people:
         lines += ["", "[[person]]", *_pairs(name=person.name, position_m=person.position_m)]
         lines += _pairs(yaw_rad=person.yaw_rad, takes=person.takes)

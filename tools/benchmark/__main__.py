@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 SUITES = (
     "planning",
     "pick",
+    "meshes",
     "arm",
     "ik",
     "collision",
@@ -79,6 +80,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.control import control
     from tools.benchmark.eyes import eyes
     from tools.benchmark.ik import ik
+    from tools.benchmark.meshes import meshes
     from tools.benchmark.peers.environments import PeerEnvironment
     from tools.benchmark.pick import pick
     from tools.benchmark.planning import planning
@@ -101,6 +103,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
         return Report(suite, quick, timing(quick, toppra.python if toppra.is_ready else None))
     alone = {
         "planning": planning,
+        "meshes": meshes,
         "checker": checker,
         "tick": tick,
         "control": control,

@@ -78,7 +78,7 @@ def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> l
     trials = []
     for number, request in enumerate(picks(model, count, seed=0)):
         if number == 0:
-            _solves(planner, checker, request)
+            solves(planner, checker, request)
             for peer in peers.values():
                 peer.pick(request)
         found: dict[str, PeerPick] = {}
@@ -90,7 +90,7 @@ def _trials(model: RobotModel, peers: Mapping[str, PeerPicker], count: int) -> l
                 found[name] = peers[name].pick(request)
                 continue
             began_s = time.process_time()
-            solved = _solves(planner, checker, request)
+            solved = solves(planner, checker, request)
             own_s = time.process_time() - began_s
         trials.append(Trial(request, solved, own_s, found))
     return trials
@@ -167,7 +167,7 @@ def _figures(found_s: list[float], refused_s: list[float], possible: int) -> lis
     return [*rows, Figure("found of the possible ones, %", share, None, None, 1.0)]
 
 
-def _solves(planner: MotionPlanner, checker: TrajectoryChecker, request: PickRequest) -> bool:
+def solves(planner: MotionPlanner, checker: TrajectoryChecker, request: PickRequest) -> bool:
     """Plan, and check every motion of the plan as the product does before it moves."""
     plan = planner.answer(request)
     if not isinstance(plan, PickPlan):

@@ -61,9 +61,11 @@ class Outcome:
 
 
 @cache
-def _parts(robot: str, smallest_m: float, compiled: bool) -> tuple[Generator, TrajectoryChecker]:
+def _parts(
+    robot: str, smallest_m: float, compiled: bool, meshes: bool
+) -> tuple[Generator, TrajectoryChecker]:
     model = RobotModel(load_description(robot))
-    return Generator(model, smallest_m=smallest_m), TrajectoryChecker(
+    return Generator(model, smallest_m=smallest_m, parts=meshes), TrajectoryChecker(
         RobotModel(load_description(robot)), compiled=compiled
     )
 
@@ -82,9 +84,10 @@ def trial(
     smallest_m: float = 0.001,
     defects_only: bool = False,
     compiled: bool = True,
+    meshes: bool = False,
 ) -> Outcome:
     """Make, judge and check one case."""
-    generator, checker = _parts(robot, smallest_m, compiled)
+    generator, checker = _parts(robot, smallest_m, compiled, meshes)
     kind = kind_of(index, defects_only)
     case = generator.case(kind, np.random.default_rng([seed, index]))
     started = time.process_time()
@@ -119,9 +122,17 @@ def campaign(
     defects_only: bool = False,
     first: int = 0,
     compiled: bool = True,
+    meshes: bool = False,
 ) -> Iterator[Outcome]:
     """Yield the outcomes of trials ``first`` to ``count`` in order."""
-    run = partial(trial, robot=robot, smallest_m=smallest_m, defects_only=defects_only, compiled=compiled)
+    run = partial(
+        trial,
+        robot=robot,
+        smallest_m=smallest_m,
+        defects_only=defects_only,
+        compiled=compiled,
+        meshes=meshes,
+    )
     if jobs == 1:
         for index in range(first, count):
             yield run(seed, index)
@@ -163,6 +174,7 @@ def main() -> int:
     parser.add_argument("--smallest-mm", type=float, default=1.0, help="of the planted defects")
     parser.add_argument("--defects-only", action="store_true", help="no sound trajectories")
     parser.add_argument("--coal", action="store_true", help="try the checker without compiled code")
+    parser.add_argument("--meshes", action="store_true", help="things of convex parts, as of meshes")
     parser.add_argument("--first", type=int, default=0, help="trial to begin with")
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
@@ -176,6 +188,7 @@ def main() -> int:
         arguments.defects_only,
         arguments.first,
         not arguments.coal,
+        arguments.meshes,
     ):
         outcomes.append(outcome)
         if outcome.unsafe != outcome.refused:

@@ -22,7 +22,7 @@ from tools.checking.motions import (
     random_motion,
     sample_times,
 )
-from tools.checking.placing import Placer, random_rotation, random_shape
+from tools.checking.placing import Placer, random_rotation, random_thing, shape_of_parts
 from tools.checking.profiles import Profile
 from tools.checking.referee import Referee, Verdict
 from tools.checking.solid_world import SolidWorld
@@ -77,9 +77,13 @@ class Generator:
         model: The robot.
         longest_s: Motions that take longer are not used.
         smallest_m: Defects are log-uniform from this to 0.1 (m, rad; a tenth of it over a limit).
+        parts: Whether things are of convex parts, as what is made of meshes is.
     """
 
-    def __init__(self, model: RobotModel, longest_s: float = 20.0, smallest_m: float = 0.001) -> None:
+    def __init__(
+        self, model: RobotModel, longest_s: float = 20.0, smallest_m: float = 0.001, parts: bool = False
+    ) -> None:
+        self._parts = parts
         self._model = model
         self._longest_s = longest_s
         self._smallest_m = smallest_m
@@ -168,14 +172,17 @@ class Generator:
         pose = np.eye(4)
         pose[:3, :3] = random_rotation(rng)
         margin = float(rng.choice([0.0, 0.0, 0.005, 0.01, 0.02]))
-        return SceneObject(name, shape or random_shape(rng), pose, margin_m=margin)
+        return SceneObject(name, shape or random_thing(rng, self._parts), pose, margin_m=margin)
 
     def _holding(self, rng: np.random.Generator, scene: PlanningScene, large: bool = False) -> PlanningScene:
         hand = HANDS[int(rng.integers(2))]
         gripper = self._model.description.grippers[hand]
-        shape: Shape = Cylinder(rng.uniform(0.02, 0.038), rng.uniform(0.08, 0.16))
+        shape: Shape = Cylinder(radius := rng.uniform(0.02, 0.038), high := rng.uniform(0.08, 0.16))
+        size_m = (2.0 * radius, 2.0 * radius, high)
         if large:
-            shape = Box((rng.uniform(0.03, 0.08), rng.uniform(0.03, 0.3), rng.uniform(0.2, 0.6)))
+            shape = Box(size_m := (rng.uniform(0.03, 0.08), rng.uniform(0.03, 0.3), rng.uniform(0.2, 0.6)))
+        if self._parts:
+            shape = shape_of_parts(rng, size_m)
         item = SceneObject("held thing", shape, np.eye(4))
         tilt = poses.rotation_x(rng.uniform(-0.5, 0.5))
         place = poses.transform(tilt, (rng.uniform(0.0, 0.03), 0.0, rng.uniform(-0.03, 0.03)))

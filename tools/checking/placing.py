@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
+from scipy.spatial import ConvexHull
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import Trajectory
@@ -18,6 +21,7 @@ from tools.checking.referee import Referee
 from tools.checking.solid_world import SolidWorld
 
 _CLOSENESS_M = 0.00005
+_MOST_CORNERS = 40
 # Along a ray from the robot, at most.
 _FAR_M = 1.2
 
@@ -36,6 +40,36 @@ def random_shape(rng: np.random.Generator) -> Shape:
         radius = float(np.exp(rng.uniform(np.log(0.0005), np.log(0.006))))
         return Cylinder(radius, rng.uniform(0.1, 0.6))
     return Ball(rng.uniform(0.01, 0.12))
+
+
+def shape_of_parts(rng: np.random.Generator, size_m: tuple[float, float, float] | None = None) -> Box:
+    """Some convex parts at random that together are one thing, and the box that holds them.
+
+    Args:
+        rng: Draws them.
+        size_m: Of the box; drawn when left out.
+    """
+    size = np.array(rng.uniform(0.04, 0.3, 3) if size_m is None else size_m)
+    hulls = []
+    for _ in range(int(rng.integers(2, 7))):
+        flat = np.where(rng.random(3) < 0.3, 0.08, 1.0)  # walls, handles and stems are thin
+        points = rng.normal(size=(int(rng.integers(8, 60)), 3))
+        points *= flat * rng.uniform(0.15, 0.5, 3) / np.linalg.norm(points, axis=1)[:, None]
+        turned = points @ random_rotation(rng).T + rng.uniform(-0.3, 0.3, 3)
+        corners = turned[ConvexHull(turned).vertices]
+        hulls.append(corners[:_MOST_CORNERS])
+    corners = np.concatenate(hulls)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    corners = (corners - 0.5 * (low + high)) * (size / (high - low))
+    ends = tuple(int(end) for end in np.cumsum([len(hull) for hull in hulls]))
+    key = hashlib.sha256(corners.tobytes()).hexdigest()
+    x, y, z = size.tolist()
+    return Box((x, y, z), ConvexParts(key, corners, ends))
+
+
+def random_thing(rng: np.random.Generator, parts: bool) -> Shape:
+    """Anything: of convex parts, or a simple solid."""
+    return shape_of_parts(rng) if parts else random_shape(rng)
 
 
 def random_rotation(rng: np.random.Generator) -> Array:

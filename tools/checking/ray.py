@@ -29,9 +29,9 @@ class Ray:
         self, model: RobotModel, world: SolidWorld, name: str, origin: Array, direction: Array, rows: Array
     ) -> None:
         self._geometry, self._margins = world.geometry, world.margins
-        self._index = self._geometry.getGeometryId(name)
+        self._own = world.solids_of(name)
         self._origin, self._direction = origin, direction
-        self._turn = self._geometry.geometryObjects[self._index].placement.rotation
+        self._turn = self._geometry.geometryObjects[self._own[0]].placement.rotation
         self._rows = [self._geometry.createData() for _ in rows]
         data = model.pin.createData()
         for placed, q in zip(self._rows, rows, strict=True):
@@ -39,8 +39,11 @@ class Ray:
         # the balls' centres of what does not move along the ray, by row and pair
         balls = EnclosingBalls(self._geometry)
         pairs = [(pair.first, pair.second) for pair in self._geometry.collisionPairs]
-        other = [a if b == self._index else b for a, b in pairs]
-        self._centres = np.array([balls.centres_m(placed)[other] for placed in self._rows])
+        other = [a if b in self._own else b for a, b in pairs]
+        own = [b if b in self._own else a for a, b in pairs]
+        # the centre of a part's ball is not the origin of the frame that all parts have
+        aside = balls.local_m[own] @ self._turn.T
+        self._centres = np.array([balls.centres_m(placed)[other] - aside for placed in self._rows])
         self._enough_m = balls.enough_m + self._margins
         shape = self._centres.shape[:2]
         self._known_m, self._known_at = np.full(shape, -np.inf), np.zeros(shape)
@@ -50,7 +53,8 @@ class Ray:
         place = self._origin + distance_m * self._direction
         pose = pin.SE3(self._turn, place)
         for placed in self._rows:
-            placed.oMg[self._index] = pose
+            for index in self._own:
+                placed.oMg[index] = pose
         by_balls = np.linalg.norm(self._centres - place, axis=2) - self._enough_m
         least = np.maximum(by_balls, self._known_m - np.abs(self._known_at - distance_m))
         candidates = np.argwhere(least <= gap_m)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
 
 import coal
@@ -10,7 +11,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.geometry.shapes import Box, Cylinder, Shape
 from kinematics.model.robot_model import RobotModel
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 
@@ -40,23 +41,25 @@ class SolidWorld:
         for body in scene.attached.values():
             frame = model.pin.frames[model.frame_id(body.frame)]
             place = frame.placement * pin.SE3(body.frame_T_object)
-            index = self._add(body.body, int(frame.parentJoint), place)
-            owner.append(body.body.name)
-            role.append("held")
-            touch[index] = body.touch_links
+            for index in self._add(body.body, int(frame.parentJoint), place):
+                owner.append(body.body.name)
+                role.append("held")
+                touch[index] = body.touch_links
         margin = {}
         for item in scene.objects.values():
-            index = self._add(item, 0, pin.SE3(item.world_T_object))
-            owner.append(item.name)
-            role.append("scene")
-            margin[index] = item.margin_m
+            for index in self._add(item, 0, pin.SE3(item.world_T_object)):
+                owner.append(item.name)
+                role.append("scene")
+                margin[index] = item.margin_m
         self.names: list[tuple[str, str]] = []
         self.kinds: list[str] = []
         margins: list[float] = []
         pairs = [] if only is not None else list(own)
         for i in range(len(links), len(owner)):
             for j in range(i):
-                if role[i] == role[j] == "scene" or (only is not None and owner[i] not in only):
+                if role[i] == role[j] and (role[i] == "scene" or owner[i] == owner[j]):
+                    continue
+                if only is not None and owner[i] not in only:
                     continue
                 if role[i] == "held" and owner[j] in touch[i]:
                     continue
@@ -96,16 +99,35 @@ class SolidWorld:
     def _balls(self) -> EnclosingBalls:
         return EnclosingBalls(self.geometry)
 
-    def _add(self, item: SceneObject, joint: int, place: pin.SE3) -> int:
-        shape = item.shape
-        if isinstance(shape, Box):
-            solid = coal.Box(*shape.size_m)
-        elif isinstance(shape, Cylinder):
-            solid = coal.Cylinder(shape.radius_m, shape.height_m)
-        elif isinstance(shape, Ball):
-            solid = coal.Sphere(shape.radius_m)
-        solid.computeLocalAABB()
-        return int(self.geometry.addGeometryObject(pin.GeometryObject(item.name, joint, place, solid)))
+    def solids_of(self, name: str) -> list[int]:
+        """Which solids of the geometry an object of the scene, or a held one, is."""
+        objects = self.geometry.geometryObjects
+        return [k for k, item in enumerate(objects) if item.name.split("#", 1)[0] == name]
+
+    def _add(self, item: SceneObject, joint: int, place: pin.SE3) -> list[int]:
+        """Add the solids of one thing: its parts, where it is made of such."""
+        added = []
+        for k, solid in enumerate(_solids(item.shape)):
+            solid.computeLocalAABB()
+            named = pin.GeometryObject(f"{item.name}#{k}", joint, place, solid)
+            added.append(int(self.geometry.addGeometryObject(named)))
+        return added
+
+
+def _solids(shape: Shape) -> Iterator[coal.CollisionGeometry]:
+    """Coal's solids of a shape, made here and not by the product."""
+    if shape.parts is not None:
+        for hull in shape.parts.hulls:
+            corners = coal.StdVec_Vec3s()
+            for corner in hull:
+                corners.append(corner)
+            yield coal.ConvexBase.convexHull(corners, True, "Qt")
+    elif isinstance(shape, Box):
+        yield coal.Box(*shape.size_m)
+    elif isinstance(shape, Cylinder):
+        yield coal.Cylinder(shape.radius_m, shape.height_m)
+    else:
+        yield coal.Sphere(shape.radius_m)
 
 
 def _pristine_hulls(model: RobotModel) -> pin.GeometryModel:
@@ -130,12 +152,13 @@ class EnclosingBalls:
         geometry: Solids whose local boxes were computed, and the pairs that are asked about.
 
     Attributes:
+        local_m: Their centres in the frames of their solids, shape (n, 3).
         enough_m: Distance of the centres of each pair at which the balls just touch, shape (p,).
     """
 
     def __init__(self, geometry: pin.GeometryModel) -> None:
         solids = [item.geometry for item in geometry.geometryObjects]
-        self._centres = np.array([solid.aabb_center for solid in solids])
+        self.local_m = np.array([solid.aabb_center for solid in solids])
         self._radii = np.array([solid.aabb_radius for solid in solids])
         pairs = np.array([(pair.first, pair.second) for pair in geometry.collisionPairs], np.intp)
         self._first, self._second = pairs.reshape(-1, 2).T
@@ -144,7 +167,7 @@ class EnclosingBalls:
     def centres_m(self, placed: pin.GeometryData) -> Array:
         """Where they are, shape (n, 3)."""
         at = np.array([place.homogeneous for place in placed.oMg])
-        return np.asarray(np.einsum("nij,nj->ni", at[:, :3, :3], self._centres) + at[:, :3, 3])
+        return np.asarray(np.einsum("nij,nj->ni", at[:, :3, :3], self.local_m) + at[:, :3, 3])
 
     def gaps_m(self, placed: pin.GeometryData) -> Array:
         """Gap between the balls of each pair, negative where they overlap, shape (p,)."""

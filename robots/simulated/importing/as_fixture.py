@@ -13,6 +13,7 @@ from robots.scenes.furniture_names import BUTTON, KNOB
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
 from robots.simulated.importing.openings import Opening
+from robots.simulated.importing.regions import region_values, regions_of
 
 _THINNEST_M = 0.002
 _LENGTH_M, _RADIUS_M = (0.006, 0.06), (0.008, 0.05)
@@ -59,6 +60,8 @@ def fixture_values(foreign: Foreign, piece: FoundPiece, ground_m: float) -> tupl
     said = _controls(foreign, controls, to_own, origin)
     if said:
         values["control"] = said
+    if parts := region_values(regions_of(foreign, piece), to_own, origin, values["box"]):
+        values["region"] = parts
     return values, told
 
 

@@ -18,6 +18,7 @@ from robots.simulated.importing.inventory import FoundPiece, Inventory, inventor
 from robots.simulated.importing.openings import Opening
 from robots.simulated.importing.our_furniture import OurPiece, our_piece
 from robots.simulated.importing.placed_objects import Placed, placed_objects
+from robots.simulated.importing.regions import regions_of
 from robots.simulated.importing.standing_place import starts_before
 
 _TOPS = ("counter", "shelf", "table")
@@ -191,6 +192,9 @@ def _furniture(
             if "ask" in told:
                 ask(f"{told['body']} of the {name}: {told['ask']}")
             guesses.append(_block("opening", told))
+        for region in regions_of(found.foreign, piece):
+            told = {"said": region.said, "of": name, "name": region.name}
+            guesses.append(_block("region", {**told, "is_here": "region" in ours.values}))
         pieces[name] = piece, ours
         written.told += [f"{name}: {told}" for told in ours.told]
     return pieces

@@ -19,7 +19,7 @@ from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture
 from robots.scenes.fixture import control_solid
 from robots.scenes.person_solid import person_solid
-from robots.scenes.scene_description import Person, SceneItem, told_names
+from robots.scenes.scene_description import Person, SceneDescription, SceneItem, told_names
 from robots.simulated.body.control_model import control_body, control_name
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP, in_simulator
@@ -54,6 +54,10 @@ class SimulatorTruth:
             for piece in physics.scene.furniture
             for solid in furniture.solids(piece)
         )
+        self._regions = frozenset(
+            plate.name for piece in physics.scene.furniture for plate in furniture.region_plates(piece)
+        )
+        self._fixed = _with_regions(self._fixed, physics.scene)
         self._people = tuple(
             (_person_seen_as(person), physics.body_id(in_simulator(person.name)) if person.walks else None)
             for person in physics.scene.people
@@ -164,7 +168,7 @@ class SimulatorTruth:
 
     def _own_geoms(self, name: str) -> list[int]:
         """What of a solid a ray may meet; of what has a mesh, what is seen of it and its parts."""
-        if any(person.name == name for person, _ in self._people):
+        if name in self._regions or any(person.name == name for person, _ in self._people):
             return []
         if name in self._items and self._items[name].model is not None:
             return [k for k, label in enumerate(self._physics.geom_label) if label == name]
@@ -306,6 +310,19 @@ class SimulatorTruth:
     def _pose(self, body: int) -> Transform:
         self._physics.refresh()
         return self._physics.body_pose(body)
+
+
+def _with_regions(fixed: tuple[TrueObject, ...], scene: SceneDescription) -> tuple[TrueObject, ...]:
+    """The solids of furniture, and behind those of each piece the floors of its named regions."""
+    found = list(fixed)
+    for piece in scene.furniture:
+        plates = [
+            TrueObject(plate.name, "furniture", region.name.lower(), None, plate.shape, plate.world_T_solid)
+            for region, plate in zip(piece.regions, furniture.region_plates(piece), strict=True)
+        ]
+        last = max(k for k, solid in enumerate(found) if solid.name.split("/", 1)[0] == piece.name)
+        found[last + 1 : last + 1] = plates
+    return tuple(found)
 
 
 def _seen_as(item: SceneItem) -> TrueObject:

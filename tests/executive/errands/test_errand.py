@@ -13,7 +13,7 @@ from executive.session.events import InputTaken, QuestionAsked, TaskAccepted
 from executive.understanding.command_parser import parse
 from executive.understanding.provenance import Provenance
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.fake.fake_world import bowl, cup, person
 from robots.perception.truth_view import TrueObject
 from robots.scenes.scene_description import Region
@@ -42,6 +42,7 @@ LEFT, RIGHT = cup("a", "red", (0.45, 0.2)), cup("b", "blue", (0.45, -0.2))
 CAN = TrueObject(
     "green can", "object", "can", "green", Cylinder(0.03, 0.1), poses.translation(0.5, 0.0, 0.95)
 )
+BALL = TrueObject("blue ball", "object", "ball", "blue", Ball(0.03), poses.translation(0.5, -0.15, 0.93))
 GUEST = ObjectDescription("guest")
 SHELF = TrueObject(
     "shelf", "furniture", "shelf", None, Box((0.3, 0.5, 0.03)), poses.translation(0.6, 0.6, 1.1)
@@ -441,8 +442,8 @@ def test_where_it_goes_is_asked_before_it_is_picked_up(stage, task, choices):
     ("task", "told"),
     [
         (
-            PlaceTask("put it on the can", ObjectDescription("cup"), on=ObjectDescription("can")),
-            "things are put on furniture, not on a can",
+            PlaceTask("put it on the ball", ObjectDescription("cup"), on=ObjectDescription("ball")),
+            "nothing stands on a blue ball: it is round",
         ),
         (
             PlaceTask(
@@ -460,7 +461,7 @@ def test_where_it_goes_is_asked_before_it_is_picked_up(stage, task, choices):
     ],
 )
 def test_what_has_nowhere_to_go_is_not_picked_up(stage, task, told):
-    on = stage(LEFT, CAN)
+    on = stage(LEFT, CAN, BALL)
 
     [result] = on.run(task)
 

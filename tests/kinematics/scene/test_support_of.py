@@ -2,7 +2,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
 from kinematics.scene.support_of import support_of, supports_of, under_foot_of
 
 
@@ -29,11 +29,17 @@ def test_a_lying_cylinder_is_carried_by_what_its_side_lies_on(make):
     assert support_of(can, PlanningScene().with_objects([table, can]), 0.01).name == "table"
 
 
-def test_what_may_be_grasped_carries_nothing(make):
+def test_what_may_be_grasped_carries_what_is_over_it_and_furniture_carries_both(make):
     box = SceneObject("box", Box((0.2, 0.2, 0.1)), poses.translation(0.0, 0.0, 0.05))
     cup = SceneObject("cup", Cylinder(0.03, 0.1), poses.translation(0.0, 0.0, 0.15))
 
-    assert supports_of(cup, PlanningScene().with_objects([box, cup])) == []
+    on_box = PlanningScene().with_objects([box, cup])
+    beside = SceneObject("can", Cylinder(0.03, 0.1), poses.translation(0.11, 0.0, 0.15))
+
+    assert supports_of(cup, on_box) == ["box"]
+    assert supports_of(beside, on_box) == []
+    assert support_of(cup, on_box, 0.01) is None
+    assert support_of(cup, on_box.with_object(floor()), 0.01).name == "floor"
 
 
 @pytest.mark.parametrize(("y", "walls"), [(0.0, []), (0.16, ["wall"]), (-0.16, [])])

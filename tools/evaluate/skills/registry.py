@@ -25,6 +25,7 @@ from tools.evaluate.skills import (
     walking,
 )
 from tools.evaluate.skills.suite import SkillSuite
+from tools.evaluate.upon import regions_and_lids, stacking
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
     {
@@ -35,6 +36,8 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "look_at": gestures.LOOK_AT,
         "place": placing.PLACE,
         "put_in": putting_in.PUT_IN,
+        "stack": stacking.STACK,
+        "regions": regions_and_lids.REGIONS,
         "put_in_drawer": putting_in_drawer.PUT_IN_DRAWER,
         "put_in_fridge": putting_in_fridge.PUT_IN_FRIDGE,
         "turn_knob": controls.TURN_KNOB,

@@ -1,4 +1,4 @@
-"""The room in an open drawer, as far as looks have shown it."""
+"""The room in an open drawer, or in another named part of furniture, as far as looks have shown it."""
 
 from __future__ import annotations
 
@@ -28,13 +28,17 @@ _ROOM_M = 0.02
 # Of an object's foot above the bottom, the lowest first: the hand has to stay above front and walls.
 _HEIGHTS_M = (0.005, 0.02, 0.04, 0.06, 0.08, 0.10, 0.12, 0.14)
 _SHARES = (0.0, 0.6, -0.6)
+_PLATE_M = 0.005
+"""What is thicker is no floor of a named region."""
+_WALL_NEAR_M = 0.02
+"""A wall begins so near to the floor's edge."""
 _CLEAR_M = 0.03
 """An object's foot passes so far above the front on its way in."""
 
 
 @dataclass(frozen=True, slots=True)
 class DrawerInside(Sealed):
-    """The room inside an open drawer that can be reached from above.
+    """The room inside an open drawer, or a compartment, that can be reached from above.
 
     Attributes:
         odom_T_middle: Frame in the middle of its bottom's upper face, x into the furniture, shape (4, 4).
@@ -45,6 +49,11 @@ class DrawerInside(Sealed):
     odom_T_middle: Transform
     size_m: tuple[float, float, float]
     solids: tuple[str, ...]
+
+    @property
+    def rim_m(self) -> float:
+        """Height of the upper edge of what is around it, odometry frame."""
+        return float(self.odom_T_middle[2, 3]) + self.size_m[2]
 
     def holds(self, place: NDArray[np.float64]) -> bool:
         """Tell whether the middle of a thing, in the odometry frame, shape (3,), is in there."""
@@ -90,6 +99,52 @@ def inside_of_drawer(scene: PlanningScene) -> DrawerInside | Failure:
     return DrawerInside(middle, (length, width, height), around)
 
 
+def inside_of_region(name: str, scene: PlanningScene) -> DrawerInside | Failure:
+    """Measure a part of furniture that has a name and walls around it; why not, when it has none.
+
+    Args:
+        name: Of its floor, in the scene: a thin plate.
+        scene: What is believed; the walls are the solids of furniture beside that plate.
+    """
+    floor, words = scene.objects[name], kind_of(name)
+    if floor.movable or not isinstance(floor.shape, Box) or floor.shape.height_m > _PLATE_M:
+        return Failure.infeasible(f"nothing can be put into the {words}")
+    floor_m, half = top_m(floor), 0.5 * np.array(floor.shape.size_m[:2]) + _WALL_NEAR_M
+    walls = [
+        item
+        for item in scene.objects.values()
+        if not item.movable
+        and top_m(item) > floor_m + _CLEAR_M
+        and top_m(item) - 2.0 * half_height_m(item) < floor_m + _CLEAR_M
+        and _is_beside(item, floor, half)
+    ]
+    if not walls:
+        message = f"the {words} has no walls around it: say to put it on the {words}"
+        return Failure.infeasible(message)
+    below = [
+        item.name
+        for item in scene.objects.values()
+        if not item.movable and abs(top_m(item) - floor_m) < _CLEAR_M and _is_beside(item, floor, half)
+    ]
+    middle = poses.transform(
+        poses.rotation_z(poses.yaw_of(floor.world_T_object[:3, :3])), (*floor.world_T_object[:2, 3], floor_m)
+    )
+    size = (floor.shape.size_m[0], floor.shape.size_m[1], max(map(top_m, walls)) - floor_m)
+    around = sorted({name, *(wall.name for wall in walls), *below})
+    return DrawerInside(middle, size, tuple(around))
+
+
+def _is_beside(item: SceneObject, floor: SceneObject, half_m: NDArray[np.float64]) -> bool:
+    """Whether a solid reaches over a floor, shape (2,) to either side of its middle, along the floor."""
+    if not isinstance(item.shape, Box):
+        return False
+    corners = np.array([[x, y, 0.0, 1.0] for x in (-0.5, 0.5) for y in (-0.5, 0.5)])
+    corners[:, :2] *= item.shape.size_m[:2]
+    local = corners @ (poses.inverse(floor.world_T_object) @ item.world_T_object).T
+    low, high = local[:, :2].min(axis=0), local[:, :2].max(axis=0)
+    return bool(np.all(low <= half_m) and np.all(high >= -half_m))
+
+
 def without_drawn(scene: PlanningScene) -> PlanningScene:
     """A scene without what goes along with a drawer's front: its inside, and what stands in it."""
     inside = inside_of_drawer(scene)
@@ -109,7 +164,7 @@ def spots_in_drawer(held: HeldObject, inside: DrawerInside) -> tuple[Spot, ...]:
     if float(room.min()) < 0.0:
         return ()
     spots = []
-    for foot_m in _HEIGHTS_M:
+    for foot_m in (height for height in _HEIGHTS_M if height < inside.size_m[2]):
         for along in _SHARES:
             for across in _SHARES:
                 local = (along * room[0], across * room[1], foot_m + 0.5 * held.shape.height_m)

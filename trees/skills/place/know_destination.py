@@ -15,6 +15,7 @@ from kinematics.geometry.shapes import Box, Shape
 from kinematics.scene.free_spots import footprint_radius_m
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.destination import furniture_named
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
@@ -95,12 +96,15 @@ class KnowDestination(LookAround):
         scene, gap_m = toolbox.world.scene, toolbox.policy.support_gap_m
         moved = scene.objects.get(around.last_acted_on or "")
         leaves = None if moved is None else support_of(moved, scene, gap_m)
-        return why_not_there(task.on, task.to, scene, around, gap_m, None if leaves is None else leaves.name)
+        below, shape = (None if leaves is None else leaves.name), (None if moved is None else moved.shape)
+        return why_not_there(task.on, task.to, scene, around, gap_m, below, shape)
 
     def _not_into(self, goal: Destination | None, around: Surroundings) -> Failure | None:
         to = ObjectDescription(goal) if isinstance(goal, str) else goal
         if not isinstance(to, ObjectDescription) or to.kind in MEANT_BY:
             return None
+        if to.kind is not None and to.color is None and furniture_named(to.kind, self.toolbox.world.scene):
+            return None  # which room there is in a part of furniture, a look at the time tells
         match ground(to, around):
             case Ambiguous() as unclear:
                 return which_is_meant(unclear, "to")

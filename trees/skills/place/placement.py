@@ -18,7 +18,6 @@ from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import support_of
 from robots.scenes.furniture_names import kind_called
 from robots.scenes.meshes.up_axis import upright
-from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.destination import furniture_named
 from trees.beliefs.grounding.grounding import (
     Ambiguous,
@@ -34,10 +33,10 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 from trees.beliefs.scene.held_object import HeldObject
-from trees.beliefs.scene.labels import label_of
 from trees.beliefs.scene.scene_update import kind_of
-from trees.beliefs.sight.sight_of_tops import SightOfTops
+from trees.beliefs.sight.sight_of_tops import ABOVE_M, SightOfTops
 from trees.failures import Failure, Reason
+from trees.skills.place.on_things import spots_on_thing, thing_called, why_not_on
 from trees.skills.place.places_by_people import person_compared_with, spots_by_person
 from trees.tasks import WHERE_IT_WAS, Destination, ObjectDescription, Relation
 from trees.world_model import FormerPlace
@@ -97,12 +96,33 @@ def spots_for(
         surface = _put_on(on, to, scene, around, wish, None if origin is None else origin.support)
         if isinstance(surface, Failure):
             return surface
+        if surface.movable:
+            return _on_thing(held, surface, scene, wish, sight)
         known = sight.about(surface, radius, odom_T_base)
         top, spots = surface, spots_on(surface, scene, radius, wish, known)
     if not spots:
         where = f"on the {kind_of(top.name)}" if relation is None else str(relation)
         return _no_spot(where, held)
     return tuple(_resting(held, spot, top) for spot in spots)
+
+
+def _on_thing(
+    held: HeldObject,
+    thing: SceneObject,
+    scene: PlanningScene,
+    wish: Callable[[Array], float],
+    sight: SightOfTops,
+) -> tuple[Spot, ...] | Failure:
+    """Spots on another thing, the middle of its top first."""
+
+    def shown(place: Array) -> bool:
+        return sight.shows(place + np.array([0.0, 0.0, ABOVE_M]))
+
+    spots = spots_on_thing(thing, held.shape, scene, wish, shown)
+    if isinstance(spots, Failure):
+        return spots
+    resting = tuple(_resting(held, spot, thing) for spot in spots)
+    return resting or _no_spot(f"on the {kind_of(thing.name)}", held)
 
 
 def _no_spot(where: str, held: HeldObject) -> Failure:
@@ -116,6 +136,7 @@ def why_not_there(
     around: Surroundings,
     support_gap_m: float,
     leaves: str | None = None,
+    thing: Shape | None = None,
 ) -> Failure | None:
     """Why nobody could say where a thing goes, found out before it is picked up; None when it is known.
 
@@ -126,6 +147,7 @@ def why_not_there(
         around: The same from where the robot stands, without what is going to be moved.
         support_gap_m: As for ``spots_for``.
         leaves: What it stands on, where that is known.
+        thing: Its solid, where that is known.
     """
     relation = _relation(to)
     if relation is not None:
@@ -133,6 +155,8 @@ def why_not_there(
         known: object = person or _compared_with(relation, scene, around, support_gap_m)
     else:
         known = _put_on(on, to, scene, around, lambda _place: 0.0, leaves)
+        if isinstance(known, SceneObject) and known.movable:
+            return why_not_on(known, thing)
     return known if isinstance(known, Failure) else None
 
 
@@ -154,8 +178,11 @@ def _put_on(
     wish: Callable[[Array], float],
     leaves: str | None,
 ) -> SceneObject | Failure:
-    """The surface that is named; of several that are not, the one that is wished for."""
+    """The surface that is named, or a thing; of several surfaces that are not, the one that is wished for."""
     named, slot = (on, "on") if on is not None else (to, "to")
+    thing = None if on is None else thing_called(on, scene, around)
+    if thing is not None:
+        return thing
     if isinstance(named, ObjectDescription) and (named.name is not None or says_which(named)):
         return _one_surface(named, slot, scene, around, leaves)
     if named is None:
@@ -204,8 +231,6 @@ def _surface(
 ) -> SceneObject | Failure:
     kinds = _kinds(named, scene)
     tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if is_flat(item)]
-    if not tops and any(item.movable and label_of(item).kind in kinds for item in scene.objects.values()):
-        return Failure.infeasible(f"things are put on furniture, not on {with_article(named)}")
     if not tops:
         what = f"no {named}" if named is not None else "nothing to put it on"
         return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects)).because(Reason.NOT_SEEN)

@@ -10,18 +10,16 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.requests.place import Spot
 from robots.perception.object_estimate import ObjectEstimate
-from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.destination import Place, resolve
-from trees.beliefs.openings.drawer_inside import inside_of_drawer, spots_in_drawer
-from trees.beliefs.openings.handles import MEANT_BY
+from trees.beliefs.openings.drawer_inside import spots_in_drawer
 from trees.beliefs.scene.held_object import HeldObject
-from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
 from trees.skills.place.know_destination import room_beside_m
+from trees.skills.put_in.inside_of import inside_of
 from trees.tasks import PutInTask
 
 # Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
@@ -62,9 +60,7 @@ class FindContainer(LookAround):
     def _spots_in(self, held: HeldObject, place: Place) -> tuple[Spot, ...] | Failure:
         if place.category == "object":
             return _spots(held, place)
-        if MEANT_BY.get(kind_of(place.name)) != DRAWER:
-            return Failure.infeasible(f"nothing can be put into the {place.name}")
-        inside = inside_of_drawer(self.toolbox.world.scene)
+        inside = inside_of(place, self.toolbox.world.scene)
         return inside if isinstance(inside, Failure) else spots_in_drawer(held, inside)
 
 

@@ -14,7 +14,6 @@ from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import half_height_m
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.destination import Place
-from trees.beliefs.openings.drawer_inside import inside_of_drawer
 from trees.beliefs.scene.bystanders import disturbed
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -22,6 +21,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
+from trees.skills.put_in.inside_of import inside_of
 
 # A container that was pushed farther than this was not left alone.
 _PUSHED_M = 0.04
@@ -50,7 +50,7 @@ class VerifyPutIn(LookAround):
         held, place = self.get_input("held"), self.get_input("place")
         if self.toolbox.grippers[held.hand].reading().holding:
             return Failure.postcondition(f"the {held.hand} hand still holds the {held.name}")
-        drawer = inside_of_drawer(self.toolbox.world.scene) if place.category == "furniture" else None
+        drawer = inside_of(place, self.toolbox.world.scene) if place.category == "furniture" else None
         if isinstance(drawer, Failure):
             return drawer
         container = seen.get(place.name)
@@ -74,7 +74,10 @@ class VerifyPutIn(LookAround):
                 else container is not None and _inside(item, container)
             )
         ]
-        if inside and container is not None and not any(_below_the_rim(item, container) for item in inside):
+        rim_m = None if container is None else _extent_m(container)[1]
+        if drawer is not None:
+            rim_m = drawer.rim_m
+        if inside and rim_m is not None and not any(_below_the_rim(item, rim_m) for item in inside):
             return Failure.postcondition(f"the {held.name} stands on the {place.name}, not in it")
         if not inside:
             where = f"is seen beside the {place.name}" if same else f"is not seen in the {place.name}"
@@ -90,10 +93,9 @@ class VerifyPutIn(LookAround):
         return DONE
 
 
-def _below_the_rim(item: ObjectEstimate, container: ObjectEstimate) -> bool:
+def _below_the_rim(item: ObjectEstimate, rim_m: float) -> bool:
     """Whether an object comes down into what has room for it: what is solid has none."""
-    (bottom_m, _), (_, rim_m) = _extent_m(item), _extent_m(container)
-    return bottom_m <= rim_m - _INTO_M
+    return _extent_m(item)[0] <= rim_m - _INTO_M
 
 
 def _extent_m(item: ObjectEstimate) -> tuple[float, float]:

@@ -1,0 +1,1 @@
+"""Suites of what is put on top of other things, on their named parts, and of lids."""
