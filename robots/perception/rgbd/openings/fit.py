@@ -199,8 +199,9 @@ def _cost(
     moved = float(((config[:4] / prior.sigma) ** 2).sum())
     opened = _OPEN_COSTS if config[OPENING] > _CLOSED[cabinet.is_door] else 0.0
     data = float((unexplained.sum() + _SEEN_PAST * past) / (len(away) + agree + past))
-    off = np.concatenate([near.away_m for near in nearest_edges(cabinet, view, config, _UNEXPLAINED_M)])
-    if len(off):
+    edges = nearest_edges(cabinet, view, config, _UNEXPLAINED_M)
+    if edges:  # a front that fills the picture shows none
+        off = np.concatenate([near.away_m for near in edges])
         data += _EDGES_COUNT * float((np.minimum(off / _UNEXPLAINED_M, 1.0) ** 2).mean())
     return data + (moved + opened) / _MEASUREMENTS
 
