@@ -114,12 +114,19 @@ class CameraProcess:
         watch = self._posts[shot.camera].watch
         trouble = watch.judge(picture)
         if trouble is None:
-            frame = self._eyes.detect(picture, shot.sequence)
-            frame = replace(frame, hindrance=watch.hindrance(picture))
+            frame = replace(self._looked(picture, shot), hindrance=watch.hindrance(picture))
         else:
             frame = PerceptionFrame(shot.stamp_s, shot.sequence, (), TOLD[trouble])
         silence = "" if self._labellers is None else self._labellers.trouble
         return Answer(frame, self._processor.now_s() - began, silence)
+
+    def _looked(self, picture: Picture, shot: Shot) -> PerceptionFrame:
+        """What a picture shows. Where looking fails it tells nothing: whoever controls a robot goes on."""
+        try:
+            return self._eyes.detect(picture, shot.sequence)
+        except Exception as wrong:  # whatever it is, it is told as the reason
+            why = f"the picture could not be looked at ({type(wrong).__name__}: {wrong})"
+            return PerceptionFrame(shot.stamp_s, shot.sequence, (), why)
 
 
 def _eyes(setup: Setup, labellers: Labellers | None) -> Eyes:

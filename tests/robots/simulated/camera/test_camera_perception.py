@@ -9,12 +9,14 @@ from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock
 from robots.errors import DescriptionError, RenderingUnavailableError
 from robots.models.description import load_robot
+from robots.perception.rgbd.eyes import Eyes
 from robots.perception.rgbd.picture_slot import PictureSlotReader
 from robots.scenes.scene_file import load_scene
 from robots.simulated.camera import camera_perception
 from robots.simulated.camera.camera_perception import CameraPerception, require_camera
 from robots.simulated.camera.feed import Believed
-from robots.simulated.camera.orders import LensFaults
+from robots.simulated.camera.orders import LensFaults, Setup
+from robots.simulated.camera.process import CameraProcess
 from robots.simulated.world import build_world
 
 FRAME = "rgbd_rgb_optical_frame"
@@ -53,6 +55,26 @@ class Stage:
         return list(told.values())
 
 
+class InThisProcess:
+    """The camera's process without a process."""
+
+    def __init__(self):
+        self._replies, self._process = [], None
+
+    def send(self, asked):
+        if isinstance(asked, Setup):
+            self._process = CameraProcess(asked)
+            self._replies.append(self._process.labels)
+        else:
+            self._replies.append(self._process.answer(asked))
+
+    def recv(self):
+        return self._replies.pop(0)
+
+    def poll(self, _timeout_s):
+        return bool(self._replies)
+
+
 @pytest.fixture(scope="module")
 def stage():
     return Stage()
@@ -68,6 +90,25 @@ def test_the_camera_shows_the_cup_where_it_is(stage):
     camera_T_cup = np.linalg.inv(truth.world_T_camera()) @ truth.world_T_object("red cup")
     assert np.linalg.norm(cup.camera_T_object[:3, 3] - camera_T_cup[:3, 3]) < 0.015
     assert any(seen.kind == "table" for seen in frame.detections)
+
+
+@pytest.mark.opengl
+def test_a_picture_at_which_looking_fails_is_told_and_the_next_is_looked_at(monkeypatch):
+    looked = Eyes.detect
+
+    def detect(eyes, picture, sequence):
+        if sequence == 0:
+            raise ValueError("nothing to join")
+        return looked(eyes, picture, sequence)
+
+    monkeypatch.setattr(Eyes, "detect", detect)
+    monkeypatch.setattr(camera_perception, "_start", lambda _owner: InThisProcess())
+    first, second = Stage().frames(2)
+
+    assert first.trouble == "the picture could not be looked at (ValueError: nothing to join)"
+    assert not first.detections
+    assert second.trouble is None
+    assert second.detections
 
 
 @pytest.mark.opengl
