@@ -20,7 +20,7 @@ from robots.scenes.scene_file import load_scene
 from trees.beliefs.grounding.destination import Place, place_of_region
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
-from trees.port_values import CheckedStep
+from trees.port_values import CheckedStep, Placement
 from trees.skills.about_people.about import About
 from trees.skills.about_people.tell_about import TellAbout
 from trees.skills.controls.control_target import ControlTarget
@@ -46,6 +46,7 @@ from trees.skills.gestures.turn_to import TurnTo
 from trees.skills.guide import GuideTask
 from trees.skills.guide.lead import Lead
 from trees.skills.guide.speak_to_guest import SpeakToGuest
+from trees.skills.hand_over.look_at_taker import LookAtTaker
 from trees.skills.meeting.is_near import IsNear
 from trees.skills.place.swap_hands import AskForSwap
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
@@ -268,6 +269,18 @@ def somebody_in_view(stage):
     return {"known": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9)}
 
 
+def somebody_who_took_it(stage):
+    """Ana has come for the cup, and stands aside."""
+    ana, red = person("Ana", (1.0, -0.5)), cup()
+    believe(stage, [ana])
+    let_go = poses.translation(0.55, -0.2, 0.25)
+    return {
+        "place": Place("Ana", "person", ana.shape, ana.world_T_object, 0.9),
+        "held": HeldObject(red.name, "right", red.shape, np.eye(4)),
+        "placement": Placement("right", let_go, (), (0.55, -0.2)),
+    }
+
+
 def control_of(stage, kind, turned_rad=0.0):
     """A knob or button before the robot, as it was seen."""
     clear(stage)
@@ -334,6 +347,7 @@ GIVEN = {
     PlanHandle: near_handle,
     ReachWatching: reaching,
     SeeAgain: somebody_in_view,
+    LookAtTaker: somebody_who_took_it,
     SeeFront: front_seen,
     SpeakToGuest: somebody_to_lead,
     SquaredUp: where_it_stands,

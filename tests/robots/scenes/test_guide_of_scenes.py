@@ -8,7 +8,7 @@ from robots.scenes.scene_file import read_scene
 from tests import foreign_meshes as foreign
 
 GUIDE = (Path(__file__).parents[3] / "docs" / "extend" / "a-scene.md").read_text("utf-8")
-BREAKFAST, MESH, FRIDGE, STOVE, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+BREAKFAST, MESH, FRIDGE, STOVE, REGION, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
 
 
 def test_the_guides_scene_can_be_read():
@@ -28,6 +28,12 @@ def test_the_guides_stove_has_a_knob():
     scene = read_scene(STOVE, "stove.toml", "stove")
 
     assert [control.kind for control in scene.furniture[0].controls] == ["knob"]
+
+
+def test_the_guides_burner_is_a_part_of_its_stove():
+    scene = read_scene(STOVE + REGION, "stove.toml", "stove")
+
+    assert [region.name for region in scene.furniture[0].regions] == ["left burner"]
 
 
 def test_the_guides_rooms_are_on_the_map():

@@ -155,7 +155,8 @@ def test_a_foot_out_of_the_legs_reach_ends_the_walk_and_not_the_control(periods)
     assert "reach" in handle.reason
     assert not floor.world.truth.fallen()
     assert refused == periods
-    assert floor.loop.statistics.refused == refused + 2  # an instant needs those around it
+    # an instant needs those around it, and the way back to a motion that went on may be refused once
+    assert refused + 2 <= floor.loop.statistics.refused <= refused + 3
 
 
 def test_a_robot_of_which_no_gait_is_known_refuses():
