@@ -206,7 +206,8 @@ def test_a_command_that_is_sent_at_once_is_whole(page, shown, sends):
             };
             type("move 1");
             type("move 10 cm to the left");
-            const send = [...document.querySelectorAll("form button")].find(one => one.textContent == "send");
+            const send = [...document.querySelectorAll("form button")].find(
+                one => one.textContent.trim() == "send");
             new Function(sends).call({form: field.form, send});
         }""",
         sends,
