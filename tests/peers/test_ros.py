@@ -42,7 +42,8 @@ def test_the_state_arrives_on_its_topics(served, peer):
     assert 0.5 < seen["height_m"] < 1.5
     assert 8.0 < abs(seen["up_m_s2"]) < 11.0  # the link of the IMU may point either way
     assert seen["urdf"].lstrip().startswith("<")
-    assert set(seen["parts"]) == {"robot", "emergency stop", "task"}
+    assert set(seen["parts"]) == {"robot", "emergency stop", "task", "foot wrenches"}
+    assert seen["parts"]["foot wrenches"] == "measured"
 
 
 def test_the_bridge_is_a_node_of_the_graph_with_typed_topics(served, peer):
