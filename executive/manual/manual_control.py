@@ -11,7 +11,6 @@ import math
 from executive.manual.base_room import body_meets, slower, why_no_room
 from executive.manual.standing_look import StandingLook
 from executive.manual.words import BaseJog, GripJog, HeardWord, JogFeed
-from kinematics.arrays import Array
 from kinematics.following.jog_reference import HandJog, JointJog
 from kinematics.model.robot_description import Hand
 from kinematics.model.walking_settings import WalkingSettings
@@ -226,21 +225,16 @@ class ManualControl:
             self._blocked = "the range sensor has shown nothing yet"
             return self._allowed
         self._looked_s = now_s
-        seen, whys = without_held(toolbox, points), list[str]()
+        seen, room = without_held(toolbox, points), walking_room(toolbox, settings)
         body = SweptBody(toolbox.model, toolbox.sensing.state().q, toolbox.world.scene, settings)
+        turns_on = word.linear_m_s == 0.0 and self._walk is not None
+        self._blocked = ""
         for tried in slower(word):
-            if not (why := self._why_no_way(tried, settings, body, seen)):
+            why = body_meets(body, settings, tried)
+            if not why and not turns_on:
+                why = why_no_room(room, seen, settings, tried)
+            if not why:
                 self._allowed = tried
                 break
-            whys.append(why)
-        self._blocked = whys[0] if whys else ""
+            self._blocked = self._blocked or why
         return self._allowed
-
-    def _why_no_way(self, word: BaseJog, settings: WalkingSettings, body: SweptBody, points: Array) -> str:
-        """What is in the way of hands and body."""
-        toolbox = self._toolbox
-        if why := body_meets(body, settings, word):
-            return why
-        if word.linear_m_s == 0.0 and self._walk is not None:
-            return ""
-        return why_no_room(walking_room(toolbox, settings), points, settings, word)

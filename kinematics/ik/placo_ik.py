@@ -75,7 +75,7 @@ class PlacoIk:
         )
         for name, lower, upper in zip(model.joints, self._lower, self._upper, strict=True):
             self._robot.set_joint_limits(name, float(lower) + reserve, float(upper) - reserve)
-        for name, (low, high) in self._legs.bent_knees(model).items():
+        for name, (low, high) in self._legs.bent_knees().items():
             self._robot.set_joint_limits(name, low, high)
         self._solver = self._make_solver(robot.stance)
         self._tcp = self._solver.add_frame_task(self._frame, np.eye(4))

@@ -65,11 +65,9 @@ class LegIk:
         """Whether there are legs, and all of them have a closed form."""
         return bool(self._legs) and all(isinstance(leg, _ClosedLeg) for leg in self._legs)
 
-    def bent_knees(self, model: RobotModel) -> dict[str, tuple[float, float]]:
+    def bent_knees(self) -> dict[str, tuple[float, float]]:
         """Limits of the knees of legs without a closed form, off where they are stretched, rad."""
-        limits = dict(zip(model.joints, zip(model.lower_rad, model.upper_rad, strict=True), strict=True))
-        numeric = [leg for leg in self._legs if isinstance(leg, NumericLeg)]
-        return {leg.knee: leg.bent_range(*map(float, limits[leg.knee])) for leg in numeric}
+        return {leg.knee: leg.bent_range() for leg in self._legs if isinstance(leg, NumericLeg)}
 
     @property
     def geometry(self) -> tuple[LegGeometry, ...]:

@@ -76,6 +76,7 @@ class NumericLeg:
             raise ModelError(f"{group}: {frame} is not on its last link")
         self._columns = 7 + model.group(group)
         self.knee = model.description.groups[group][_KNEE]
+        self._knee_rad = model.description.limits[self.knee].position
         self._turn = np.array([np.array(model.pin.jointPlacements[i].rotation) for i in ids])
         self._offset = np.array([np.array(model.pin.jointPlacements[i].translation) for i in ids])
         self._axis = np.array([_axis(model.pin, i) for i in ids])
@@ -86,12 +87,9 @@ class NumericLeg:
             tuple(int(i) for i in ids), self._turn, self._offset, self._axis, self._foot_T_sole
         )
 
-    def bent_range(self, lower_rad: float, upper_rad: float) -> tuple[float, float]:
-        """Where the knee is bent as at home, and not nearly stretched; within its limits, rad.
-
-        Args:
-            lower_rad, upper_rad: The knee's limits.
-        """
+    def bent_range(self) -> tuple[float, float]:
+        """Where the knee is bent as at home, and not nearly stretched; within its limits, rad."""
+        lower_rad, upper_rad = self._knee_rad
         angles = np.linspace(lower_rad, upper_rad, _ANGLES)
         joints = np.tile(self._home, (_ANGLES, 1))
         joints[:, _KNEE] = angles

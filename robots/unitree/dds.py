@@ -15,10 +15,9 @@ from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
 from kinematics.model.robot_description import Hand
-from robots.unitree.layout import Record
+from robots.unitree.layout import ARMS, COMMANDS, STATES, Record, hand_commands, hand_states
 from robots.unitree.messages import HandCommand, HandState, LowCommand, LowState, carried, carrying
 
-COMMANDS, ARMS, STATES = "rt/lowcmd", "rt/arm_sdk", "rt/lowstate"
 LOOPBACK = "lo"
 _MOST_TAKEN = 16
 _NEWEST = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(4))
@@ -91,14 +90,9 @@ def robot_end(domain: int = 0, interface: str = LOOPBACK, *, arms_only: bool = F
 
 def controller_hand_end(hand: Hand, domain: int = 0, interface: str = LOOPBACK) -> DdsEnd:
     """The end of who controls a hand."""
-    return DdsEnd(domain, interface, (f"rt/dex3/{hand}/cmd", HandCommand), (hand_states(hand), HandState))
+    return DdsEnd(domain, interface, (hand_commands(hand), HandCommand), (hand_states(hand), HandState))
 
 
 def robot_hand_end(hand: Hand, domain: int = 0, interface: str = LOOPBACK) -> DdsEnd:
     """The end of the hand, for who plays one."""
-    return DdsEnd(domain, interface, (hand_states(hand), HandState), (f"rt/dex3/{hand}/cmd", HandCommand))
-
-
-def hand_states(hand: Hand) -> str:
-    """The topic of a hand's states."""
-    return f"rt/dex3/{hand}/state"
+    return DdsEnd(domain, interface, (hand_states(hand), HandState), (hand_commands(hand), HandCommand))

@@ -1,4 +1,4 @@
-"""The bytes of ``unitree_hg`` low-level messages, and their check sum.
+"""Topics and bytes of ``unitree_hg`` low-level messages, and their check sum.
 
 In memory a message is the C struct that the check sum is made of: CRC-32/MPEG-2 over the words of all but
 the last, each word taken from its high byte down. On the wire (little-endian CDR) structs are not aligned,
@@ -12,6 +12,8 @@ import zlib
 
 import numpy as np
 from numpy.typing import NDArray
+
+from kinematics.model.robot_description import Hand
 
 MOTORS = 35
 """Places for motors in a message; a robot uses the first of them."""
@@ -91,6 +93,20 @@ HAND_STATE = np.dtype([("count", "<u4"), ("motor", _MOTOR_STATE, HAND_MOTORS)])
 """What is read of ``HandState_``; behind it come pressures, IMU and voltages, which nobody here asks."""
 _HAND_REST = 4 + _IMU.itemsize + 4 * 4 + 2 * 4 + 2 * 4
 """Bytes of the rest of ``HandState_`` without any pressures."""
+
+COMMANDS, ARMS, STATES = "rt/lowcmd", "rt/arm_sdk", "rt/lowstate"
+"""Topics of the body."""
+
+
+def hand_commands(hand: Hand) -> str:
+    """The topic of a hand's commands."""
+    return f"rt/dex3/{hand}/cmd"
+
+
+def hand_states(hand: Hand) -> str:
+    """The topic of a hand's states."""
+    return f"rt/dex3/{hand}/state"
+
 
 Record = NDArray[np.void]
 """One message, shape ()."""

@@ -58,16 +58,24 @@ def carried(message: Any) -> Record | None:
     return found
 
 
-def _bytes_of(message: IdlStruct) -> bytes | None:
-    record = carried(message)
-    return None if record is None else _HEAD + to_wire(record)
+class _InBytes:
+    """A message that goes over the wire as the bytes of its record; one without is put together by field."""
 
+    def serialize(self, *options: Any, **named: Any) -> bytes:
+        """Its bytes on the wire."""
+        record = carried(self)
+        if record is not None:
+            return _HEAD + to_wire(record)
+        fields: bytes = super().serialize(*options, **named)  # type: ignore[misc]
+        return fields
 
-def _carried_by(kind: type[M], data: bytes) -> M:
-    little = len(data) > len(_HEAD) and data[1] & _LITTLE_ENDIAN
-    made = object.__new__(kind)
-    made.__dict__["record"] = from_wire(bytes(data[len(_HEAD) :]), KINDS[kind]) if little else None
-    return made
+    @classmethod
+    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
+        """The message that carries what some bytes are."""
+        little = len(data) > len(_HEAD) and data[1] & _LITTLE_ENDIAN
+        made = object.__new__(cls)
+        made.__dict__["record"] = from_wire(bytes(data[len(_HEAD) :]), KINDS[cls]) if little else None
+        return made
 
 
 @dataclass
@@ -122,7 +130,7 @@ else:
 
 @dataclass
 @final
-class LowCommand(IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
+class LowCommand(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
     """What all motors are to do."""
 
     mode_pr: uint8 = 0
@@ -131,19 +139,10 @@ class LowCommand(IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
     reserve: Words4 = field(default_factory=lambda: [0] * 4)
     crc: uint32 = 0
 
-    def serialize(self, *options: Any, **named: Any) -> bytes:
-        """Its bytes on the wire."""
-        return _bytes_of(self) or super().serialize(*options, **named)
-
-    @classmethod
-    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
-        """The message that carries what some bytes are."""
-        return _carried_by(cls, data)
-
 
 @dataclass
 @final
-class LowState(IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
+class LowState(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
     """What motors and IMU sense."""
 
     version: Words2 = field(default_factory=lambda: [0] * 2)
@@ -155,15 +154,6 @@ class LowState(IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
     wireless_remote: Bytes40 = field(default_factory=lambda: [0] * 40)
     reserve: Words4 = field(default_factory=lambda: [0] * 4)
     crc: uint32 = 0
-
-    def serialize(self, *options: Any, **named: Any) -> bytes:
-        """Its bytes on the wire."""
-        return _bytes_of(self) or super().serialize(*options, **named)
-
-    @classmethod
-    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
-        """The message that carries what some bytes are."""
-        return _carried_by(cls, data)
 
 
 @dataclass
@@ -188,25 +178,16 @@ else:
 
 @dataclass
 @final
-class HandCommand(IdlStruct, typename="unitree_hg.msg.dds_.HandCmd_"):
+class HandCommand(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.HandCmd_"):
     """What the motors of a hand are to do."""
 
     motor_cmd: HandMotorCommands = field(default_factory=list)
     reserve: Words4 = field(default_factory=lambda: [0] * 4)
 
-    def serialize(self, *options: Any, **named: Any) -> bytes:
-        """Its bytes on the wire."""
-        return _bytes_of(self) or super().serialize(*options, **named)
-
-    @classmethod
-    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
-        """The message that carries what some bytes are."""
-        return _carried_by(cls, data)
-
 
 @dataclass
 @final
-class HandState(IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
+class HandState(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
     """What a hand senses."""
 
     motor_state: HandMotorStates = field(default_factory=list)
@@ -219,17 +200,8 @@ class HandState(IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
     error: Words2 = field(default_factory=lambda: [0] * 2)
     reserve: Words2 = field(default_factory=lambda: [0] * 2)
 
-    def serialize(self, *options: Any, **named: Any) -> bytes:
-        """Its bytes on the wire."""
-        return _bytes_of(self) or super().serialize(*options, **named)
 
-    @classmethod
-    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
-        """The message that carries what some bytes are."""
-        return _carried_by(cls, data)
-
-
-KINDS: dict[type[IdlStruct], Any] = {
+KINDS: dict[type, Any] = {
     LowCommand: LOW_COMMAND,
     LowState: LOW_STATE,
     HandCommand: HAND_COMMAND,

@@ -14,7 +14,7 @@ from robots.interface.hardware import Hardware, RobotData
 from robots.interface.robot import JointSetpoint, RobotState
 from robots.unitree.commands import TAKE_UP_S, LowCommands
 from robots.unitree.hands import WiredHand
-from robots.unitree.layout import Record
+from robots.unitree.layout import STATES, Record, hand_states
 from robots.unitree.motors import motors_of
 from robots.unitree.readings import STOP, pressed, readings_of
 from robots.unitree.watch import FOLLOWS, LATE_S, Consequence, Wire, WireFinding, WireWatch, by_gravity
@@ -129,14 +129,14 @@ class UnitreeRobot:
         for values in (setpoint.q, setpoint.v, setpoint.tau):
             if len(values) != n or not np.isfinite(values).all():
                 raise SetpointRefusedError(f"setpoint {setpoint.sequence} is not {n} finite numbers")
-        measured, machine = self._reading.q[:bodies], self._watch.machine
-        if self._damped():
+        measured, machine, damped = self._reading.q[:bodies], self._watch.machine, self._damped()
+        if damped:
             message = self._commands.damp(measured, machine)
         else:
             message = self._commands.follow(setpoint, measured, self._period_s, machine)
         self._wire.send(message)
         for hand in self._hands.values():
-            if self._damped():
+            if damped:
                 hand.damp()
             else:
                 hand.follow(setpoint, self._clock.now_s(), self._period_s)
@@ -179,8 +179,8 @@ class UnitreeRobot:
     def _unheard(self) -> str:
         """The first topic on which nothing has come yet; empty when all are heard."""
         if self._watch.state is None:
-            return "rt/lowstate"
-        return next((f"rt/dex3/{name}/state" for name, hand in self._hands.items() if not hand.heard), "")
+            return STATES
+        return next((hand_states(name) for name, hand in self._hands.items() if not hand.heard), "")
 
     def _of_hands(self, now_s: float) -> list[WireFinding]:
         """What is wrong with the hands; where the body says nothing either, the wire is what is silent."""

@@ -6,7 +6,7 @@ sensor looks over and under the board of a table: what is known counts whether i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -82,22 +82,30 @@ class SweptBody:
             way: Where the base comes by, seen from where it is; the first is where it is.
         """
         aside_m = self._sway_m - _ALONG_M
-        sways = [self._moved(way, side * aside_m) for side in (0.0, -1.0, 1.0)]
-        found = []
+        found = [
+            meeting
+            for side in (0.0, -1.0, 1.0)
+            for meeting in self._meetings(self._moved(way, side * aside_m), is_aside=side != 0.0)
+        ]
+        return min(found, key=lambda one: one.distance_m, default=None)
+
+    def _meetings(self, moved: Array, *, is_aside: bool) -> Iterator[Meeting]:
+        """All that parts come to on a way, shape (n, 4, 4), swayed aside or not."""
         for item in self._items:
-            gaps_m = [self._gaps_m(item, moved) for moved in sways]
+            gaps_m = self._gaps_m(item, moved)
             for k, part in enumerate(self._parts):
-                # a leg steps out ahead, and hardly sways beside the feet
+                if part.kind == "leg" and is_aside:
+                    continue  # a leg steps out ahead, and hardly sways beside the feet
                 kept_m = item.margin_m + (self._sway_m if part.kind == "leg" else _ALONG_M)
-                for moved, gap_m in zip(sways[:1] if part.kind == "leg" else sways, gaps_m, strict=False):
-                    close = np.flatnonzero(gap_m[:, k] < kept_m)
-                    if len(close):
-                        found.append(self._nearest(part, item, moved[0], moved[close], kept_m))
-        return min((one for one in found if one is not None), key=lambda one: one.distance_m, default=None)
+                close = moved[gaps_m[:, k] < kept_m]
+                met = self._nearest(part, item, moved[0], close, kept_m) if len(close) else None
+                if met is not None:
+                    yield met
 
     def _nearest(
         self, part: _Part, item: SceneObject, first: Array, close: Array, kept_m: float
     ) -> Meeting | None:
+        """How near a part comes to a thing; None where that is far enough, or it only goes away."""
         begins_m = self._distance_m(part, item, first)
         if begins_m <= 0.0 and part.kind == "arm":  # what is beside an arm sways into it, wherever it goes
             return Meeting(part.called, item.name, begins_m)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -19,7 +20,7 @@ from robots.perception.truth_view import TrueObject
 from robots.scenes import articulated, furniture
 from robots.scenes.fixture import control_solid
 from robots.scenes.person_solid import person_solid
-from robots.scenes.scene_description import Person, SceneDescription, SceneItem, told_names
+from robots.scenes.scene_description import Furniture, Person, SceneItem, told_names
 from robots.simulated.body.control_model import control_body, control_name
 from robots.simulated.body.furniture_model import part_body
 from robots.simulated.body.geom_roles import FINGER_DRAWN_GROUP, HULL_GROUP, WORLD_GROUP, in_simulator
@@ -49,15 +50,10 @@ class SimulatorTruth:
         self._removed: set[str] = set()
         self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
         self._seen_as = {item.name: _seen_as(item) for item in physics.scene.objects}
-        self._fixed = tuple(
-            TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
-            for piece in physics.scene.furniture
-            for solid in furniture.solids(piece)
-        )
+        self._fixed = tuple(one for piece in physics.scene.furniture for one in _fixed_of(piece))
         self._regions = frozenset(
             plate.name for piece in physics.scene.furniture for plate in furniture.region_plates(piece)
         )
-        self._fixed = _with_regions(self._fixed, physics.scene)
         self._people = tuple(
             (_person_seen_as(person), physics.body_id(in_simulator(person.name)) if person.walks else None)
             for person in physics.scene.people
@@ -312,17 +308,13 @@ class SimulatorTruth:
         return self._physics.body_pose(body)
 
 
-def _with_regions(fixed: tuple[TrueObject, ...], scene: SceneDescription) -> tuple[TrueObject, ...]:
-    """The solids of furniture, and behind those of each piece the floors of its named regions."""
-    found = list(fixed)
-    for piece in scene.furniture:
-        plates = [
-            TrueObject(plate.name, "furniture", region.name.lower(), None, plate.shape, plate.world_T_solid)
-            for region, plate in zip(piece.regions, furniture.region_plates(piece), strict=True)
-        ]
-        last = max(k for k, solid in enumerate(found) if solid.name.split("/", 1)[0] == piece.name)
-        found[last + 1 : last + 1] = plates
-    return tuple(found)
+def _fixed_of(piece: Furniture) -> Iterator[TrueObject]:
+    """The solids of a piece that do not move, and behind them the floors of its named regions."""
+    for solid in furniture.solids(piece):
+        yield TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
+    for region, plate in zip(piece.regions, furniture.region_plates(piece), strict=True):
+        name = region.name.lower()
+        yield TrueObject(plate.name, "furniture", name, None, plate.shape, plate.world_T_solid)
 
 
 def _seen_as(item: SceneItem) -> TrueObject:

@@ -83,14 +83,11 @@ def in_hands(cloud: Cloud, people: Sequence[SeenPerson], others: Mask, tint: NDA
             if not _has_size_of_thing(cloud, mask) or _is_hand(cloud, mask, tint, body):
                 continue
             stands_out = bool(unlike[mask].mean() > 0.5)
-            if stands_out:
-                if _is_cut(cloud, mask) or _goes_on_share(cloud, mask, near) > _GOES_ON_SHARE:
-                    continue
-            elif int((mask & beside).sum()) > _JOINED_PIXELS:
-                continue  # an arm goes on in the trunk
-            lowest.append(float(np.quantile(cloud.z[mask], 0.02)))
-            distinct.append(stands_out)
-            labels[mask] = len(lowest)
+            goes_on = _is_clothes(cloud, mask, near) if stands_out else _is_arm(mask, beside)
+            if not goes_on:
+                lowest.append(float(np.quantile(cloud.z[mask], 0.02)))
+                distinct.append(stands_out)
+                labels[mask] = len(lowest)
     return HeldOut(Segments(labels, len(lowest)), np.array(lowest), tuple(distinct))
 
 
@@ -150,6 +147,16 @@ def _is_cut(cloud: Cloud, mask: Mask) -> bool:
     inside = mask.copy()
     inside[1:-1, 1:-1] = False
     return bool(inside.any() or cloud.z[mask].min() < _LOWEST_M + _JOINED_M)
+
+
+def _is_arm(mask: Mask, beside: Mask) -> bool:
+    """Whether it goes on in the trunk, given which pixels are as far away as the trunk right beside them."""
+    return int((mask & beside).sum()) > _JOINED_PIXELS
+
+
+def _is_clothes(cloud: Cloud, mask: Mask, near: Mask) -> bool:
+    """Whether it goes on in what is beside it, out of the picture, or below where things are held."""
+    return _is_cut(cloud, mask) or _goes_on_share(cloud, mask, near) > _GOES_ON_SHARE
 
 
 def _goes_on_share(cloud: Cloud, mask: Mask, near: Mask) -> float:

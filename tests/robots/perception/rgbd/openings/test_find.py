@@ -134,10 +134,11 @@ def test_what_stands_in_an_open_fridge_is_a_thing():
     assert thing.solid.place_m == pytest.approx((AHEAD_M - 0.13, 0.28, board_m + 0.09), abs=0.008)
 
 
-def test_a_front_whose_outline_is_out_of_the_picture_is_looked_at():
+def test_a_front_whose_outline_is_out_of_the_picture_is_where_the_map_has_it():
     """Its points are in the picture, its edges are not: only the middle of a wide board close by."""
     wide = replace(chest(), size_m=(0.50, 2.4, 1.9))
 
     seen = seen_by_eyes(wide)
 
-    assert seen.surfaces is not None
+    assert {one.kind for one in seen.furniture} == {"drawers"}
+    assert not seen.things
