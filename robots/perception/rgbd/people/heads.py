@@ -15,7 +15,7 @@ from robots.perception.rgbd.people.pieces import EVERY, Piece
 
 HEAD_M = 0.11
 """Radius."""
-_CELL_M = 0.015
+_CELL_M, _ROOM = 0.015, 20
 _BESIDE_AN_ARM = 0.77
 """What a disc that is free on one side counts, beside one that is free on both."""
 _LEAST_FIT = 0.60
@@ -52,7 +52,6 @@ def find_head(cloud: Cloud, piece: Piece) -> Head | None:
     """
     focal = cloud.picture.camera.focal_px
     scale = piece.depth_m / (focal / EVERY) / _CELL_M
-    room = 20
     top, left = int(piece.rows.min()), int(piece.columns.min())
     tall, wide = int(piece.rows.max()) - top + 1, int(piece.columns.max()) - left + 1
     size = max(round(wide * scale), 3), max(round(tall * scale), 3)
@@ -62,7 +61,7 @@ def find_head(cloud: Cloud, piece: Piece) -> Head | None:
     mask[piece.rows - top, piece.columns - left] = 255
     mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     image = cv2.resize(mask, size, interpolation=cv2.INTER_AREA).astype(np.float32) / np.float32(255.0)
-    image = cv2.copyMakeBorder(image, room, room, room, room, cv2.BORDER_CONSTANT, value=0.0)
+    image = _with_room(image, piece, cloud)
     best = np.max([cv2.filter2D(image, -1, template) for template in _templates()], axis=0)
     found: list[tuple[float, Head]] = []
     for _ in range(_CANDIDATES):
@@ -70,11 +69,27 @@ def find_head(cloud: Cloud, piece: Piece) -> Head | None:
         fit = float(best[y, x])
         if fit < _LEAST_FIT:
             break
-        head = _measured(cloud, piece, top + (y - room) / scale, left + (x - room) / scale, fit)
+        head = _measured(cloud, piece, top + (y - _ROOM) / scale, left + (x - _ROOM) / scale, fit)
         if head is not None:
             found.append((fit + _LIKE * min(facing(cloud, head, 255.0)[1], 0.5), head))
         cv2.circle(best, (int(x), int(y)), 4, -1.0, -1)
     return max(found, key=lambda one: one[0])[1] if found else None
+
+
+def _with_room(image: NDArray[np.float32], piece: Piece, cloud: Cloud) -> NDArray[np.float32]:
+    """With free cells all around, but where the picture ends: there it goes on as it is at the edge.
+
+    What the picture cuts off above the chest is no head that is free on all sides.
+    """
+    last = (np.array(cloud.depth_m.shape) - 1) // EVERY
+    rows, columns = piece.rows, piece.columns
+    sides = (rows.min() <= 0, rows.max() >= last[0], columns.min() <= 0, columns.max() >= last[1])
+    for side, is_cut in enumerate(sides):
+        above, below, left, right = (_ROOM if k == side else 0 for k in range(4))
+        kind = cv2.BORDER_REPLICATE if is_cut else cv2.BORDER_CONSTANT
+        wider = cv2.copyMakeBorder(image, above, below, left, right, kind, value=0.0)
+        image = np.asarray(wider, np.float32)
+    return image
 
 
 def _measured(cloud: Cloud, piece: Piece, row: float, column: float, fit: float) -> Head | None:
