@@ -4,7 +4,7 @@ The annotations are read by cyclonedds when a class is made, so that they are no
 """
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from cyclonedds.idl import IdlStruct
 from cyclonedds.idl.annotations import final
@@ -58,24 +58,29 @@ def carried(message: Any) -> Record | None:
     return found
 
 
-class _InBytes:
-    """A message that goes over the wire as the bytes of its record; one without is put together by field."""
+def _in_bytes(kind: type[M]) -> type[M]:
+    """A kind of message that goes over the wire as its record's bytes; one without is put together by field.
 
-    def serialize(self, *options: Any, **named: Any) -> bytes:
-        """Its bytes on the wire."""
-        record = carried(self)
+    No base class: cyclonedds takes each base of a message for a message, when it tells its peers of the type.
+    """
+    by_field = kind.serialize
+
+    def serialize(message: M, *options: Any, **named: Any) -> bytes:
+        record = carried(message)
         if record is not None:
             return _HEAD + to_wire(record)
-        fields: bytes = super().serialize(*options, **named)  # type: ignore[misc]
+        fields: bytes = by_field(message, *options, **named)
         return fields
 
-    @classmethod
-    def deserialize(cls, data: bytes, *_options: Any, **_named: Any) -> Self:
-        """The message that carries what some bytes are."""
+    def deserialize(data: bytes, *_options: Any, **_named: Any) -> M:
         little = len(data) > len(_HEAD) and data[1] & _LITTLE_ENDIAN
-        made = object.__new__(cls)
-        made.__dict__["record"] = from_wire(bytes(data[len(_HEAD) :]), KINDS[cls]) if little else None
+        made = object.__new__(kind)
+        made.__dict__["record"] = from_wire(bytes(data[len(_HEAD) :]), KINDS[kind]) if little else None
         return made
+
+    replaced: Any = kind
+    replaced.serialize, replaced.deserialize = serialize, staticmethod(deserialize)
+    return kind
 
 
 @dataclass
@@ -128,9 +133,10 @@ else:
     MotorCommands, MotorStates = array[MotorCommand, MOTORS], array[MotorState, MOTORS]
 
 
+@_in_bytes
 @dataclass
 @final
-class LowCommand(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
+class LowCommand(IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
     """What all motors are to do."""
 
     mode_pr: uint8 = 0
@@ -140,9 +146,10 @@ class LowCommand(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.LowCmd_"):
     crc: uint32 = 0
 
 
+@_in_bytes
 @dataclass
 @final
-class LowState(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
+class LowState(IdlStruct, typename="unitree_hg.msg.dds_.LowState_"):
     """What motors and IMU sense."""
 
     version: Words2 = field(default_factory=lambda: [0] * 2)
@@ -176,18 +183,20 @@ else:
     PressStates = sequence[PressState]
 
 
+@_in_bytes
 @dataclass
 @final
-class HandCommand(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.HandCmd_"):
+class HandCommand(IdlStruct, typename="unitree_hg.msg.dds_.HandCmd_"):
     """What the motors of a hand are to do."""
 
     motor_cmd: HandMotorCommands = field(default_factory=list)
     reserve: Words4 = field(default_factory=lambda: [0] * 4)
 
 
+@_in_bytes
 @dataclass
 @final
-class HandState(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
+class HandState(IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
     """What a hand senses."""
 
     motor_state: HandMotorStates = field(default_factory=list)
@@ -201,7 +210,7 @@ class HandState(_InBytes, IdlStruct, typename="unitree_hg.msg.dds_.HandState_"):
     reserve: Words2 = field(default_factory=lambda: [0] * 2)
 
 
-KINDS: dict[type, Any] = {
+KINDS: dict[type[IdlStruct], Any] = {
     LowCommand: LOW_COMMAND,
     LowState: LOW_STATE,
     HandCommand: HAND_COMMAND,
