@@ -11,9 +11,10 @@ from typing import Protocol
 
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.following.boxed_least_squares import boxed_least_squares
+from kinematics.following.hand_task import HandTask
 from kinematics.following.jog_reference import HandJog, Jog, JointJog
 from kinematics.model.robot_description import Hand
 from kinematics.model.standing_robot import StandingRobot
@@ -52,6 +53,8 @@ _STRAYED = 0.005
 """It never counts for more, m."""
 _HELD_BACK_SHARE = 0.6
 """Slower than this share of what was asked for is told, with its reason."""
+_FEELS_RAD = 0.03
+"""So far a joint alone is tried, to tell whether it leads into what is near."""
 _STRAIGHT = "the arm is nearly straight that way, or folded (a singularity)"
 
 
@@ -175,13 +178,20 @@ class JogTracker:
         self.held_back = ""
         if not _same(jog, self._jog):
             self._anchor, self._share, self._met = None, 0.0, ""
-        wanted = self._of_joint(jog) if isinstance(jog, JointJog) else self._of_hand(jog)
+        task: HandTask | None = None
+        if isinstance(jog, JointJog):
+            wanted = self._of_joint(jog)
+        else:
+            task = self._task(jog)
+            wanted = self._within(task, self._box())
         if self._resistance is not None and (self._met or self._is_resisted(wanted, self._resistance)):
             self.held_back, self._anchor = self._met, None
             self._share, wanted = 1.0, self._resistance.easing[self._at]
             wanted = np.clip(wanted, -self._speed, self._speed)
         else:
             self._share = self._free_share(wanted)
+            if task is not None and self._share < _HELD_BACK_SHARE:
+                wanted = self._around(task, wanted)
         most = self._acceleration * TICK_S
         rate = self._rate + np.clip(self._share * wanted - self._rate, -most, most)
         if self._can_rest_from(rate):
@@ -199,8 +209,8 @@ class JogTracker:
             self.held_back = self._limit_of(k)
         return wanted
 
-    def _of_hand(self, jog: HandJog) -> Array:
-        """Rates that move the TCP as asked for, as far as joints and their limits can."""
+    def _task(self, jog: HandJog) -> HandTask:
+        """What the TCP is asked for now: its own velocity, and back onto its line."""
         model, (at, turned, jacobian) = self._model, self._tcp(jog.hand)
         groups = model.description.groups
         torso, arm = groups.get("torso", ()), groups[f"{jog.hand}_arm"]
@@ -224,23 +234,48 @@ class JogTracker:
         trunk = np.array([1.0] * len(torso) + [0.0] * len(arm))
         back = (_POSTURE_WEIGHT * trunk) ** 2 * (self._preferred[k] - self._x[k]) / _POSTURE_PULL_S
         calm = np.array([_CALM["torso"]] * len(torso) + [_CALM["arm"]] * len(arm))
-        low, high = self._box()
-        rates = boxed_least_squares(
-            rows.T @ rows + com_rows.T @ com_rows + np.diag(calm**2 + (_POSTURE_WEIGHT * trunk) ** 2),
-            rows.T @ goal + com_rows.T @ com_goal + back,
-            low[k],
-            high[k],
-        )
-        fastest = float(np.max(np.abs(rates) / self._speed[k], initial=1.0))
-        slowed = rates / fastest
-        size = float(asked @ asked)
-        share = float(asked @ (rows @ slowed)) / size if size > 0.0 else 1.0
-        if share < _HELD_BACK_SHARE:
-            full = (rates >= high[k] - 1e-9) | (rates <= low[k] + 1e-9)
+        normal = rows.T @ rows + com_rows.T @ com_rows + np.diag(calm**2 + (_POSTURE_WEIGHT * trunk) ** 2)
+        return HandTask(k, rows, asked, normal, rows.T @ goal + com_rows.T @ com_goal + back)
+
+    def _within(self, task: HandTask, box: tuple[Array, Array]) -> Array:
+        """Rates within bounds that move the TCP as asked for, as far as joints and their limits can."""
+        k, (low, high) = task.joints, (bound[task.joints] for bound in box)
+        rates = task.solved(low, high)
+        slowed = rates / float(np.max(np.abs(rates) / self._speed[k], initial=1.0))
+        if task.share_of(slowed) < _HELD_BACK_SHARE:
+            full = (rates >= high - 1e-9) | (rates <= low + 1e-9)
             self.held_back = self._limit_of(int(k[np.argmax(full)])) if full.any() else _STRAIGHT
         wanted = np.zeros(len(self._joints))
         wanted[k] = slowed
         return wanted
+
+    def _around(self, task: HandTask, wanted: Array) -> Array:
+        """Rates without those joints that lead into what is near, where the hand gets on better so.
+
+        With a joint to spare, what the hand is asked for and its opposite may both begin with an elbow that
+        turns into the trunk: then neither would lead away.
+        """
+        told, share = self.held_back, self._share
+        gained = share * task.share_of(wanted[task.joints])
+        other = self._within(task, self._leading_away(task.joints))
+        self._share = self._free_share(other)
+        around = self._share * task.share_of(other[task.joints])
+        self.held_back = told if around < _HELD_BACK_SHARE else ""
+        if around > gained:
+            return other
+        self._share = share
+        return wanted
+
+    def _leading_away(self, joints: NDArray[np.intp]) -> tuple[Array, Array]:
+        """The box of rates, closed where a joint alone would soon come to what is not free."""
+        low, high = self._box()
+        for k in joints:
+            for bound, way in ((low, -_FEELS_RAD), (high, _FEELS_RAD)):
+                x = self._x.copy()
+                x[k] += way
+                if not self._postures.points_are_free(self._rows(x[None])):
+                    bound[k] = 0.0
+        return low, high
 
     def _balancing(self, k: Array) -> tuple[Array, Array]:
         """What brings the CoM back over the feet, as rows for these rates; none for a robot on a mount."""

@@ -137,6 +137,41 @@ def test_from_where_it_was_held_back_the_opposite_leads_away(talos, robot):
     assert tracker.q[7 + talos.joints.index("arm_right_4_joint")] < most - 0.05
 
 
+class Slot:
+    """Postures are free that leave one coordinate where it is."""
+
+    def __init__(self, column, at):
+        self.column, self.at = column, at
+
+    def points_are_free(self, x):
+        return bool((np.abs(x[:, self.column] - self.at) <= 1e-3).all())
+
+    def why_not(self, x):
+        return None if self.points_are_free(x[None]) else "the trunk is near"
+
+
+@pytest.mark.parametrize("way", [(0.0, 0.04, 0.0), (0.0, -0.04, 0.0), (0.0, 0.0, 0.04), (0.0, 0.0, -0.04)])
+@pytest.mark.parametrize("joint", ["torso_1_joint", "arm_right_3_joint", "arm_right_4_joint"])
+def test_a_joint_that_leads_into_what_is_near_both_ways_rests_and_the_others_move_the_hand(
+    talos, robot, joint, way
+):
+    from kinematics.standing.free_coordinates import free_coordinates
+
+    space = free_coordinates(robot)
+    column = space.index(joint)
+    tracker = JogTracker(robot, talos.q_home, Slot(column, space.from_q(talos.q_home)[column]))
+    before = tcp(talos, talos.q_home)
+
+    samples = jogged(tracker, hand(way), 100)
+
+    moved = tcp(talos, samples[-1].q)[:3, 3] - before[:3, 3]
+    assert moved @ way / np.linalg.norm(way) > 0.01
+    assert (
+        abs(samples[-1].q[7 + talos.joints.index(joint)] - talos.q_home[7 + talos.joints.index(joint)])
+        <= 1e-3
+    )
+
+
 def test_the_end_of_a_range_is_named_and_not_reached(talos, robot):
     tracker = JogTracker(robot, talos.q_home, Anything())
 
