@@ -64,8 +64,10 @@ class Fetcher:
         yield from self._to(np.array([before[0], before[1], self._tcp()[2, 3]]), facing)
         yield from self._to(np.array([before[0], before[1], cup[2] + _ABOVE_M]), facing)
         yield from self._to(before, facing)
+        yield "e"  # along the fingers: from the side they would push the cup away
         yield from self._to(self._cup(), facing)
         yield from held("g", 3.0)
+        yield "w"
         yield from self._to(self._tcp()[:3, 3] + np.array([0.0, 0.0, _LIFT_M]), facing)
         yield from silent(0.5)
 
@@ -133,8 +135,10 @@ class Fetcher:
             yield keys[0] if errors[axis] > 0.0 else keys[1]
 
     def _errors(self, place: Array, facing: Array) -> Array:
+        """What is left along and about the axes of the frame that the keys move in."""
         tcp = self._tcp()
-        return np.concatenate([place - tcp[:3, 3], pin.log3(facing @ tcp[:3, :3].T)])
+        axes = tcp[:3, :3].T if self._typist.keys.jogged.frame == "tool" else np.eye(3)
+        return np.concatenate([axes @ (place - tcp[:3, 3]), axes @ pin.log3(facing @ tcp[:3, :3].T)])
 
     def _paced(self, left_m: float) -> Script:
         wanted = "fast" if left_m > 0.06 else "usual" if left_m > 0.02 else "slow"
