@@ -111,7 +111,13 @@ def along_line(
     Returns:
         Shape (points, nq), or None when one of them is not reached within the tolerance.
     """
-    targets = list(poses.line(start, end, points)[1:])
+    return along_poses(ik, q, list(poses.line(start, end, points)[1:]), reserve_rad)
+
+
+def along_poses(
+    ik: InverseKinematics, q: Array, targets: Sequence[Transform], reserve_rad: float = 0.0
+) -> Array | None:
+    """Configurations along poses of the TCP, each shape (4, 4); else as ``along_line``."""
     if _follows(type(ik)):
         answers = cast(FollowingKinematics, ik).follow(targets, q, reserve_rad=reserve_rad)
         return np.array([q, *(answer.q for answer in answers)]) if len(answers) == len(targets) else None

@@ -20,7 +20,7 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import IkTolerance
-from kinematics.ik.solver import along_line
+from kinematics.ik.solver import LINE_RESERVE_RAD, along_line, along_poses
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
@@ -155,25 +155,33 @@ class _ControlTask(PlanningTask):
         self, hand: Hand, q: Array, turn_rad: float, scene: PlanningScene | None = None
     ) -> tuple[Curve, Curve] | str:
         """The turn of a hand about its own x from a configuration, and the way straight back."""
+        found = self._turned(hand, q, turn_rad, scene, 0.0)
+        if isinstance(found, str):  # between joints at their limit a curve leads beyond it
+            again = self._turned(hand, q, turn_rad, scene, LINE_RESERVE_RAD)
+            found = found if isinstance(again, str) else again
+        return found
+
+    def _turned(
+        self, hand: Hand, q: Array, turn_rad: float, scene: PlanningScene | None, reserve_rad: float
+    ) -> tuple[Curve, Curve] | str:
         ik, frame = self.ik_of(hand), self._model.description.grippers[hand].tcp_frame
         start = self._model.frame_pose(q, frame)
-        configurations, target = [q], start
-        for k in range(1, _TURN_POINTS):
-            share = k / (_TURN_POINTS - 1)
-            target = start @ poses.transform(poses.rotation_x(share * turn_rad), (0.0, 0.0, 0.0))
-            found = ik.solve(target, configurations[-1], q_preferred=configurations[-1])
-            if not found.within(_TOLERANCE):
-                return "the wrist does not turn so far"
-            configurations.append(found.q)
+        turns = [
+            start @ poses.transform(poses.rotation_x(share * turn_rad), (0.0, 0.0, 0.0))
+            for share in np.linspace(0.0, 1.0, _TURN_POINTS)[1:]
+        ]
+        configurations = along_poses(ik, q, turns, reserve_rad)
+        if configurations is None:
+            return "the wrist does not turn so far"
         near = self.planner_in(self._touching(hand, scene))
         curve = PolynomialCurve(self._with_gaze(configurations, q))
         if not near.curve_is_free(curve):
             return "turning collides"
-        before = target @ poses.translation(-_APPROACH_M, 0.0, 0.0)
-        line = along_line(ik, configurations[-1], target, before, CARTESIAN_POINTS)
+        before = turns[-1] @ poses.translation(-_APPROACH_M, 0.0, 0.0)
+        line = along_line(ik, configurations[-1], turns[-1], before, CARTESIAN_POINTS, reserve_rad)
         if line is None:
             return "no straight way back"
-        away = PolynomialCurve(self._with_gaze(list(line), q))
+        away = PolynomialCurve(self._with_gaze(line, q))
         return (curve, away) if near.curve_is_free(away) else "the way back collides"
 
     def turn_plan(self, hand: Hand, turn_rad: float) -> TurnPlan | NoPlan:
@@ -199,7 +207,7 @@ class _ControlTask(PlanningTask):
         led = lead_in(steps[0].trajectory, q, self._model.acceleration)
         return TurnPlan(dataclasses.replace(steps[0], trajectory=led), steps[1])
 
-    def _with_gaze(self, configurations: list[Array], q: Array) -> Array:
+    def _with_gaze(self, configurations: Array, q: Array) -> Array:
         """Rows of free coordinates in which the head stays where it is at ``q``."""
         rows = self.rows(configurations)
         head = self.space.from_q(q)

@@ -18,6 +18,7 @@ from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
 from robots.perception.seen_label import SeenLabel
+from robots.scenes.fixture import CONTROL_KINDS
 
 # Nearer than the centres of two of the slimmest cups that touch, farther than any frame noise.
 _OBJECT_GATE_M = 0.03
@@ -239,7 +240,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         category=cluster.first.category,
         kind=cluster.first.kind,
         color=min(colors, key=lambda c: (-colors[c], c)) if colors else None,
-        odom_T_object=poses.transform(_upright(rotation, shape, cluster.first.category), position),
+        odom_T_object=poses.transform(_upright(rotation, shape, cluster.first), position),
         shape=shape,
         confidence=confidence * (len(inliers) / frames) ** 0.5,
         frames_seen=seen,
@@ -300,13 +301,15 @@ def _mean_rotation(rotations: Sequence[Array]) -> Array:
     return np.asarray(u @ flip @ vt, dtype=np.float64)
 
 
-def _upright(rotation: Array, shape: Shape, category: Category) -> Array:
-    """Vertical when it stands (heading kept, but for round things); else as it lies."""
+def _upright(rotation: Array, shape: Shape, first: Detection) -> Array:
+    """Vertical when it stands (heading kept, but for round things); else as it lies, or a knob is turned."""
+    if first.kind in CONTROL_KINDS:
+        return rotation
     if isinstance(shape, Ball) and shape.parts is None:
         return np.eye(3)
     if math.acos(min(max(float(rotation[2, 2]), -1.0), 1.0)) > _STANDING_TILT_RAD:
         return rotation
-    faceless = isinstance(shape, Cylinder) and shape.parts is None and category != "person"
+    faceless = isinstance(shape, Cylinder) and shape.parts is None and first.category != "person"
     return np.eye(3) if faceless else poses.rotation_z(poses.yaw_of(rotation))
 
 

@@ -61,6 +61,15 @@ def test_what_stands_is_vertical_and_what_lies_keeps_its_tilt():
     assert lying.tilt_rad == pytest.approx(1.5, abs=1e-6)
 
 
+def test_a_knob_is_turned_as_it_is_seen_also_where_that_is_little():
+    knob = Box((0.04, 0.06, 0.024))
+    turned = detection(at(0.5, rotation=poses.rotation_x(0.3)), "knob", None, knob, "furniture")
+
+    (seen,) = fuse_frames(views(*[[turned]] * 4))
+
+    np.testing.assert_allclose(seen.odom_T_object[:3, :3], poses.rotation_x(0.3), atol=1e-9)
+
+
 def test_a_box_keeps_its_heading_and_a_ball_has_none():
     turned = poses.rotation_z(0.7) @ poses.rotation_x(0.05)
     box = detection(at(0.5, rotation=turned), "box", "blue", Box((0.05, 0.1, 0.1)))

@@ -16,8 +16,8 @@ from trees.tasks import ObjectDescription
 
 ON_RAD = 1.1
 """How far a knob is turned to switch something on."""
-IS_ON_RAD, IS_OFF_RAD = 0.6, 0.5
-"""It is on when it is seen turned by so much, and off when by less; a look makes small angles none."""
+IS_ON_RAD, IS_OFF_RAD = 0.7, 0.2
+"""It is on when it is seen turned by so much, and off when by less."""
 
 
 @dataclass(frozen=True, slots=True)
