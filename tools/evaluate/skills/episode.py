@@ -57,7 +57,7 @@ IN_PART = "told in part"
 """The outcome of an answer that said that there may be more, and was not right."""
 
 
-def trial_of(suite: str, seed: int, scene: str | None = None) -> Trial:
+def trial_of(suite: str, seed: int, scene: str | None = None, robot: str = "talos") -> Trial:
     """The episode of a seed.
 
     Args:
@@ -65,11 +65,12 @@ def trial_of(suite: str, seed: int, scene: str | None = None) -> Trial:
         seed: The episode's.
         scene: "bench" for what an arm that is bolted down has before it, "low_tabletop" for a humanoid of a
             child's size; None for a room.
+        robot: Whose hands are to take what is asked for.
 
     Raises:
         ValueError: The suite has no such episodes.
     """
-    make = SKILL_SUITES[suite].makes(scene)
+    make = SKILL_SUITES[suite].makes(scene, robot)
     if make is None:
         raise ValueError(f"the suite {suite} has no episodes in the scene {scene!r}")
     return make(episode_rng(seed, 10))
@@ -138,7 +139,7 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
 
 def _seen_as_ordered(suite: str, order: EpisodeOrder) -> Trial:
     """The episode with the perception that is asked for; a camera does not see what people are called."""
-    trial, unnamed = trial_of(suite, order.seed, order.scene), SKILL_SUITES[suite].unnamed
+    trial, unnamed = trial_of(suite, order.seed, order.scene, order.robot), SKILL_SUITES[suite].unnamed
     if order.perception == "rgbd" and unnamed is not None:
         trial = unnamed(trial)
     return replace(trial, scene=seen_by(trial.scene, order.perception))

@@ -25,7 +25,7 @@ from tools.evaluate.skills import (
     walking,
 )
 from tools.evaluate.skills.suite import SkillSuite
-from tools.evaluate.upon import regions_and_lids, stacking
+from tools.evaluate.upon import regions_and_lids, stacking, things
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
     {
@@ -40,6 +40,7 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "regions": regions_and_lids.REGIONS,
         "put_in_drawer": putting_in_drawer.PUT_IN_DRAWER,
         "put_in_fridge": putting_in_fridge.PUT_IN_FRIDGE,
+        "things": things.THINGS,
         "turn_knob": controls.TURN_KNOB,
         "press": controls.PRESS,
         "hand_over": handing_over.HAND_OVER,

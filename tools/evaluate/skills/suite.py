@@ -81,7 +81,7 @@ class SkillSuite:
     """How to make and judge the episodes of one skill.
 
     Attributes:
-        trial: Makes an episode from a generator.
+        trial: Makes an episode from a generator; None where a scene has to be named.
         judge: Makes its judge, before the first task; the generator is another one than the trial's.
         stands: Whether the robot stands all the while, so that its CoM must stay inside its feet.
         bar: Share of episodes that have to be truly done.
@@ -89,18 +89,24 @@ class SkillSuite:
             judge: a question or a no may be what is right.
         on_bench: Makes an episode before an arm that is bolted down; None where there is none for it.
         on_low: Makes an episode before a low table; None where there is none for it.
+        in_scene: Makes an episode of what a scene has, by its name or file, for a robot, by its name; None
+            where it makes its own.
         unnamed: Makes of an episode the same one where nobody can see what people are called.
     """
 
-    trial: Callable[[np.random.Generator], Trial]
+    trial: Callable[[np.random.Generator], Trial] | None
     judge: Callable[[Assembly, Trial, np.random.Generator], SkillJudge]
     stands: bool = True
     ends: str = "done"
     bar: float = SUCCESS_BAR
     on_bench: Callable[[np.random.Generator], Trial] | None = None
     on_low: Callable[[np.random.Generator], Trial] | None = None
+    in_scene: Callable[[np.random.Generator, str, str], Trial] | None = None
     unnamed: Callable[[Trial], Trial] | None = None
 
-    def makes(self, scene: str | None) -> Callable[[np.random.Generator], Trial] | None:
-        """What makes its episodes in a scene, by the scene's name; None where nothing does."""
+    def makes(self, scene: str | None, robot: str) -> Callable[[np.random.Generator], Trial] | None:
+        """What makes its episodes in a scene, for a robot, both by their names; None where nothing does."""
+        made = self.in_scene
+        if made is not None:
+            return None if scene is None else lambda rng: made(rng, scene, robot)
         return {None: self.trial, "bench": self.on_bench, "low_tabletop": self.on_low}.get(scene)

@@ -1,0 +1,64 @@
+"""Episodes of things that nobody here made: drawn from a scene of them, apart, and asked for by their label."""
+
+import itertools
+import math
+
+import pytest
+
+from robots.scenes.importing.import_object import import_object
+from tests import foreign_meshes as foreign
+from tools.evaluate.__main__ import main
+from tools.evaluate.skills.episode import trial_of
+from tools.evaluate.upon.things import _radius_m
+
+SEEDS = range(12)
+
+
+@pytest.fixture(scope="module")
+def pool(tmp_path_factory):
+    """A scene with what a hand can take, and a plate that none can."""
+    folder = tmp_path_factory.mktemp("pool")
+    meshes = {
+        "tomato soup": foreign.can(),
+        "big tomato soup": foreign.can(0.036, 0.13),
+        "cereal": foreign.carton(),
+        "ketchup": foreign.bottle(),
+        "dinner plate": foreign.plate(),
+    }
+    lines = ['[[furniture]]\nname = "table"\nkind = "table"\nsize_m = [4.0, 4.0, 0.8]\nposition_m = [2.5, 0.0]']
+    for number, (label, mesh) in enumerate(meshes.items()):
+        file = foreign.written(mesh, folder, f"{label.replace(' ', '_')}.obj")
+        import_object(file)
+        where = f"position_m = [{0.4 * number - 1.0:.1f}, 0.0]"
+        lines.append(f'[[object]]\nmesh = "{file.name}"\nlabel = "{label}"\non = "table"\n{where}')
+    scene = folder / "low_shop.toml"
+    scene.write_text("\n".join(lines))
+    standing = folder / "shop.toml"
+    standing.write_text(scene.read_text())
+    return standing
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_some_stand_apart_on_a_table_and_the_first_is_asked_for(pool, seed):
+    trial = trial_of("things", seed, str(pool))
+
+    objects = trial.scene.objects
+    assert trial.sentence == f"pick up the {objects[0].name}"
+    assert objects[0].name != "dinner plate"
+    for one, other in itertools.combinations(objects, 2):
+        apart_m = math.dist(one.world_T_object[:2, 3], other.world_T_object[:2, 3])
+        assert apart_m > _radius_m(one) + _radius_m(other)
+        assert one.name not in other.name
+        assert other.name not in one.name
+
+
+def test_a_scene_for_someone_small_has_a_low_table(pool):
+    low = trial_of("things", 3, str(pool.with_name("low_shop.toml"))).scene.furniture[0]
+
+    assert low.size_m[2] <= 0.76
+
+
+def test_without_a_scene_it_is_refused_with_what_to_say(capsys):
+    assert main(["things", "--episodes", "1"]) == 2
+
+    assert "the suite things needs a scene: --scene FILE" in capsys.readouterr().err
