@@ -23,7 +23,7 @@ from trees.tasks import ObjectDescription, PickTask
 
 HELD = 0.9
 """Of all picks."""
-STANDS_OFF_M = (0.6, 0.9)
+STANDS_OFF_M = (0.8, 1.1)
 """The robot starts so much farther away where the planner shall find the cup out of reach."""
 _NEAR_M, _NEAR_RAD = 0.006, 0.06
 _ABOVE_M, _BEFORE_M, _LIFT_M = 0.16, 0.15, 0.12
@@ -185,8 +185,8 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     result = typist.carry_on(task, Fetcher(assembly, typist, hand).script(), ending, by_hand=False)
     truth.remember(TARGET)
     held_now = bool(truth.contacts.of_pads(TARGET)) and truth.lift_m(TARGET) > _LIFTED_M
-    truthful = (result.outcome == "done") == bool(truth.contacts.of_pads(TARGET)) and bool(failures)
-    truthful = truthful and result.evidence.get("by") == "person"
+    truthful = (result.outcome == "done") == bool(truth.contacts.of_pads(TARGET))
+    truthful = truthful and (result.evidence.get("by") == "person") == bool(failures)
     others = tuple(sorted(pair for pair in watch.contacts if TARGET not in pair))
     return EpisodeRecord(
         order.seed,
