@@ -280,14 +280,15 @@ def _match(
     for distance, name, i in pairs:
         if name in matched or i in used:
             continue
-        if distance <= within_m or (known[name].movable and _overlap(known[name], fresh[i])):
+        moves = known[name].movable or fresh[i].category == "person"
+        if distance <= within_m or (moves and _overlap(known[name], fresh[i])):
             matched[name] = fresh[i]
             used.add(i)
     return matched
 
 
 def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
-    """Whether two things, there and here, would reach into each other: so it is one, seen wrongly.
+    """Whether two things or people, there and here, would reach into each other: so it is one, seen wrongly.
 
     What is seen unsurely, half of it beyond the edge of the picture, is no second one where it may reach.
     """

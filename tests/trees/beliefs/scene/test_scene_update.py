@@ -174,6 +174,15 @@ def test_somebody_who_is_not_in_view_is_remembered():
     assert set(second.scene.objects) == {"Ana", "Ben"}
 
 
+def test_two_people_are_never_in_one_place_so_that_is_one_seen_elsewhere():
+    first = look(PlanningScene(), seen_person(None))
+
+    second = look(first.scene, seen_person(None, (1.08, 0.2, 0.875)))
+
+    assert set(second.scene.objects) == {"person"}
+    assert second.scene.objects["person"].world_T_object[0, 3] == 1.08
+
+
 def test_people_without_names_are_told_apart_while_the_head_looks_around():
     first = look(PlanningScene(), seen_person(None))
     later = [seen_person(None, (1.0, -1.0, 0.875))]
