@@ -39,6 +39,8 @@ FLOOR_RGB = (0.46, 0.50, 0.54)
 _SITS_AHEAD_M = 0.17
 _LEAST_FLOOR = 400
 _LIKE_A_FACE, _BULGES_M = 0.4, 0.005
+_NECK_M, _FEW = 0.12, 12
+"""What is nearer than this to the line up through a head is above it, if it is as many points."""
 _LARGEST_M2 = 0.75
 """Nobody shows more of himself."""
 
@@ -86,7 +88,7 @@ def _body(cloud: Cloud, piece: Piece, pieces: Pieces) -> Body | None:
     focal = cloud.picture.camera.focal_px / EVERY
     if may_stand(piece) and piece.area_m2 < _LARGEST_M2:
         head = find_head(cloud, piece)
-        if head is None or not _is_round(head, piece, cloud):
+        if head is None or not _ends_above(head, piece) or not _is_round(head, piece, cloud):
             return None
         axis = trunk_axis(head, piece.points, cloud.odom_T_camera[:3, 3])
         if not _has_trunk(head, piece):
@@ -105,6 +107,15 @@ def _body(cloud: Cloud, piece: Piece, pieces: Pieces) -> Body | None:
         head = Head(np.array([*crown, HEAD_M]), 0.0, 0.0, 0.0, 1.0)
         return Body(head, middle, "lying", points, pixels, along, (piece.depth_m / focal) ** 2)
     return None
+
+
+def _ends_above(head: Head, piece: Piece) -> bool:
+    """Whether nothing goes on above a head to where the picture ends: what does is a trunk with its neck."""
+    if piece.rows.min() > 0:
+        return True
+    beside = np.linalg.norm(piece.points[:, :2] - head.middle[:2], axis=1)
+    above = piece.points[:, 2] > head.middle[2] + HEAD_M
+    return int((above & (beside < _NECK_M)).sum()) < _FEW
 
 
 def _has_trunk(head: Head, piece: Piece) -> bool:
