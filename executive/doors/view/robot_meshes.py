@@ -22,7 +22,7 @@ from kinematics.geometry.poses import Transform
 _READABLE = (".stl", ".obj", ".ply")
 _USUAL = (190, 196, 204)
 _SIDES = 24
-_MANY, _CELL_M = 800, 0.008
+_MANY, _CELL_M = 800, 0.016
 """A mesh of more triangles loses details smaller than this: browsers draw it thirty times a second."""
 
 
