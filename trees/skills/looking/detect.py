@@ -8,6 +8,8 @@ from typing import Literal
 
 from py_trees.common import Status
 
+from kinematics.scene.label import Label
+from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.grounding import Ambiguous, Choice, Found, Missing, compares, ground
@@ -27,10 +29,11 @@ from trees.skills.looking.whole_top import seen_wholly
 from trees.tasks import ObjectDescription, ObjectOf
 from trees.toolbox import Toolbox
 
-Part = Literal["alone", "first", "side", "last", "again", "closer", "asking"]
+Part = Literal["alone", "first", "side", "last", "again", "closer", "known", "asking"]
 """What a look is for: by itself; one of several, during which nothing is moved; of those, one to the sides
 that was asked for, the last of these, and the one ahead after they have lost what had been seen; one at what
-may be the thing that is meant, and the last of all, after which a person is asked whether it is."""
+may be the thing that is meant, one at where that was seen before, and the last of all, after which a person
+is asked whether it is."""
 
 
 class Detect(LookLeaf):
@@ -148,6 +151,9 @@ class Detect(LookLeaf):
             message = f"the {words} was seen before, but is not in view now"
             unsure = before is not None and self._doubts(before)
             reason = Reason.UNSURE if unsure and self.part != "asking" else Reason.NOT_SEEN
+            if reason is Reason.NOT_SEEN and self.part not in ("known", "asking"):
+                reason = Reason.OUT_OF_VIEW
+                self._set_output("target", _as_believed(name, scene.objects[name]))
             return Failure.postcondition(message, seen=_words(seen)).because(reason)
         if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
             message = f"what the {words} stands on is not seen"
@@ -201,9 +207,20 @@ def is_sure(failure: Failure) -> bool:
     return choice is None or choice.unseen == 0
 
 
+def out_of_view(failure: Failure) -> bool:
+    """Tell whether a look failed because what is meant was seen before, and elsewhere."""
+    return failure.root.reason is Reason.OUT_OF_VIEW
+
+
 def lost(failure: Failure) -> bool:
     """Tell whether looks to the sides showed nothing any more of what they were to be compared with."""
     return failure.root.reason is Reason.LOST_FROM_VIEW
+
+
+def _as_believed(name: str, item: SceneObject) -> Target:
+    """What is meant where it is believed to be."""
+    words = item.label or Label(kind_of(name))
+    return Target(name, words.kind, words.color, item.shape, item.world_T_object, 0.0)
 
 
 def _words(seen: Mapping[str, ObjectEstimate]) -> str:

@@ -12,7 +12,7 @@ from trees.leaves.go_home import GoHome
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.judgements import defect, judgement, looking_elsewhere_is_useless
 from trees.policy import Gaze
-from trees.skills.looking.detect import Detect, Part, is_sure, is_unsure, lost, wants_survey
+from trees.skills.looking.detect import Detect, Part, is_sure, is_unsure, lost, out_of_view, wants_survey
 from trees.skills.looking.look_at import LookAt, LookAtTarget
 from trees.toolbox import Toolbox
 
@@ -26,8 +26,9 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     When several things fit, or the description compares them, or a part of what the only one stands on is out
     of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
     picture counts as well. What those looks have lost is looked for ahead once more. What is seen unsurely is
-    looked at closer, then by all gazes, and in the end a person is asked whether it is the one. Eyes that
-    nothing aims look once, and once more before a choice is made.
+    looked at closer, then by all gazes, and in the end a person is asked whether it is the one. What none of
+    them shows, and was seen before, is looked for where that was. Eyes that nothing aims look once, and once
+    more before a choice is made.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
@@ -41,6 +42,7 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     looks += [_look(gaze, toolbox, "side") for gaze in survey[:-1]]
     looks.append(_look(survey[-1], toolbox, "last"))
     looks.append(_look(replace(first, name="ahead again"), toolbox, "again"))
+    looks.append(_look_at_it("where it was seen", toolbox, "known"))
     looks.append(_look_at_it("before asking", toolbox, "asking"))
     return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
 
@@ -49,11 +51,13 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
 def as_needed(look: Behaviour, failure: Failure | None) -> bool:
     """The looks to both sides when they are asked for, one ahead when they lost it, the others when not.
 
-    One at the thing itself when that is seen unsurely.
+    One at the thing itself when that is seen unsurely, and one at where it was seen before.
     """
     part = next(leaf.part for leaf in look.children if isinstance(leaf, Detect))
     if part in ("closer", "asking"):
         return failure is not None and is_unsure(failure)
+    if part == "known":
+        return failure is not None and out_of_view(failure)
     if part == "again":
         return failure is not None and lost(failure)
     return (part != "first") == (failure is not None and wants_survey(failure))
