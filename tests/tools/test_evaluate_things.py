@@ -1,4 +1,4 @@
-"""Episodes of things that nobody here made: drawn from a scene of them, apart, and asked for by their label."""
+"""Episodes of things that nobody here made: drawn from a scene of them, apart, asked for by their label."""
 
 import itertools
 import math
@@ -25,7 +25,9 @@ def pool(tmp_path_factory):
         "ketchup": foreign.bottle(),
         "dinner plate": foreign.plate(),
     }
-    lines = ['[[furniture]]\nname = "table"\nkind = "table"\nsize_m = [4.0, 4.0, 0.8]\nposition_m = [2.5, 0.0]']
+    lines = [
+        '[[furniture]]\nname = "table"\nkind = "table"\nsize_m = [4.0, 4.0, 0.8]\nposition_m = [2.5, 0.0]'
+    ]
     for number, (label, mesh) in enumerate(meshes.items()):
         file = foreign.written(mesh, folder, f"{label.replace(' ', '_')}.obj")
         import_object(file)

@@ -12,7 +12,7 @@ from robots.models.description import load_description
 from robots.scenes.scene_description import PerceptionModel
 from tools.calibration.quick_robot import QuickRobot
 from tools.evaluate.scenes import episode_rng
-from tools.evaluate.skills.registry import SKILL_SUITES
+from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.telling import AnswerJudge
 
 SKILLS = ("count", "describe")
@@ -42,9 +42,8 @@ class Answer:
 def answers(skill: str, seeds: range, noise: PerceptionModel) -> Iterator[Answer]:
     """One answer for each seed; the scenes are those of the skill's evaluation, all with this noise."""
     model = RobotModel(load_description("talos"))
-    suite = SKILL_SUITES[skill]
     for seed in seeds:
-        trial = suite.trial(episode_rng(seed, 10))
+        trial = trial_of(skill, seed)
         trial = replace(trial, scene=replace(trial.scene, perception=noise))
         robot = QuickRobot(model, trial.scene, seed)
         tree = robot.do(trial.tasks[-1])
