@@ -80,7 +80,7 @@ DEEP = "<Inverter>" * 300 + "<GoHome/>" + "</Inverter>" * 300
         (tree('<Survey keeping="yes"/>'), "keeping: must be true or false, not 'yes'"),
         (
             tree('<Detect part="yes"/>'),
-            "part: must be one of alone, first, side, last, again, closer, asking, not 'yes'",
+            "part: must be one of alone, first, side, last, again, closer, known, asking, not 'yes'",
         ),
         (tree('<Detect task="pick"/>'), "task must refer to a key, as {task}, not 'pick'"),
         (tree('<GoHome _skipIf="x > 1"/>'), "_skipIf needs a script, and scripts are not run"),
