@@ -33,11 +33,9 @@ def pool(tmp_path_factory):
         import_object(file)
         where = f"position_m = [{0.4 * number - 1.0:.1f}, 0.0]"
         lines.append(f'[[object]]\nmesh = "{file.name}"\nlabel = "{label}"\non = "table"\n{where}')
-    scene = folder / "low_shop.toml"
+    scene = folder / "shop.toml"
     scene.write_text("\n".join(lines))
-    standing = folder / "shop.toml"
-    standing.write_text(scene.read_text())
-    return standing
+    return scene
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -54,10 +52,21 @@ def test_some_stand_apart_on_a_table_and_the_first_is_asked_for(pool, seed):
         assert other.name not in one.name
 
 
-def test_a_scene_for_someone_small_has_a_low_table(pool):
-    low = trial_of("things", 3, str(pool.with_name("low_shop.toml"))).scene.furniture[0]
+def test_the_table_suits_the_robot(pool):
+    on_bench = trial_of("things", 3, str(pool), "panda").scene.furniture[0]
+    standing = [trial_of("things", seed, str(pool)).scene.furniture[0] for seed in SEEDS]
 
-    assert low.size_m[2] <= 0.76
+    assert 0.70 <= on_bench.size_m[2] <= 0.80
+    assert max(table.size_m[2] for table in standing) > 0.80
+
+
+def test_a_scene_of_which_no_hand_can_take_anything_is_refused_by_its_name(pool):
+    text = pool.read_text()
+    plates = pool.with_name("plates.toml")
+    plates.write_text(text[: text.index("[[object]]")] + text[text.rindex("[[object]]") :])
+
+    with pytest.raises(ValueError, match=r"plates.toml: the hands of talos can take nothing"):
+        trial_of("things", 0, str(plates))
 
 
 def test_without_a_scene_it_is_refused_with_what_to_say(capsys):

@@ -222,10 +222,9 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
         for i in range(options.episodes)
     ]
     skill = options.suite in (*SKILL_SUITES, *_RUNS)
-    known = options.suite in SKILL_SUITES and (
-        SKILL_SUITES[options.suite].makes(options.scene, options.robot) is not None
-    )
-    if skill and options.suite in SKILL_SUITES and options.scene is None and not known:
+    suite = SKILL_SUITES.get(options.suite)
+    known = suite is not None and suite.makes(options.scene, options.robot) is not None
+    if suite is not None and options.scene is None and not known:
         messages.print(f"error: the suite {options.suite} needs a scene: --scene FILE", style="bold")
         return 2
     if skill and ((options.fault and not faulted) or (options.scene and not known)):

@@ -1,8 +1,7 @@
 """Suite of picks among things that nobody here made: ``things --scene FILE``, a scene that has them.
 
-Of the scene's things some are drawn for each episode, and put down at random before the robot: on a table
-for who stands, or, where the scene's name begins with "bench" or "low", before an arm on a bench or someone
-of a child's size. One that a hand of the robot could take if it stood alone is asked for by its label.
+Of the scene's things some are drawn for each episode, and put down at random on a table that suits the robot.
+One that a hand of it could take if it stood alone is asked for by its label.
 """
 
 from __future__ import annotations
@@ -41,7 +40,8 @@ _DRAWS = 40
 _TURNS, _ASIDE_M = 4, 0.2
 _TOP_M, _WIDE_M, _MARGIN_M = 0.04, 1.2, 0.01
 """Of a table's top that a thing stands on alone, and what is kept from both."""
-_WHERE = {"bench": rooms.BENCH, "low": rooms.LOW}
+_SMALL_M = 0.9
+"""A humanoid whose base is lower than this at home stands before a low table."""
 
 
 class ThingJudge:
@@ -73,10 +73,14 @@ class ThingJudge:
 
 
 def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
-    """Some of a scene's things on a table, the first of them asked for."""
+    """Some of a scene's things on a table, the first of them asked for.
+
+    Raises:
+        ValueError: The robot's hands can take none of them.
+    """
     pool = load_scene(scene)
-    where = next((space for name, space in _WHERE.items() if pool.name.startswith(name)), rooms.STANDING)
-    hands = _hands_of(robot, where)
+    hands = _hands_of(robot)
+    where = hands.where
     table = rooms.table(rng, where)
     objects: list[SceneItem] = []
     wanted = int(rng.integers(_COUNT[0], _COUNT[1] + 1))
@@ -88,6 +92,8 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
             objects += [] if placed is None else [placed]
         if len(objects) == wanted:
             break
+    if not objects:
+        raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it")
     aim = objects[0].name
     said = f"pick up the {aim}"
     task = PickTask(said, ObjectDescription(name=aim))
@@ -99,11 +105,14 @@ class _Hands:
 
     Args:
         robot: Its name.
+
+    Attributes:
         where: What is within its reach.
     """
 
-    def __init__(self, robot: str, where: rooms.Workspace) -> None:
+    def __init__(self, robot: str) -> None:
         self._model = model = RobotModel(load_description(robot))
+        self.where = where = _workspace_of(model)
         self._stance, self._planner = stance_at(model, model.q_home), PickPlanner(model)
         edge_m, deep_m, self._high_m = (
             0.5 * sum(ends) for ends in (where.edge_ahead_m, where.table_depth_m, where.table_height_m)
@@ -136,6 +145,12 @@ class _Hands:
 
 _hands_of = functools.lru_cache(maxsize=4)(_Hands)
 """A worker runs many episodes of one robot."""
+
+
+def _workspace_of(model: RobotModel) -> rooms.Workspace:
+    if model.description.welded:
+        return rooms.BENCH
+    return rooms.LOW if model.q_home[2] < _SMALL_M else rooms.STANDING
 
 
 def _placed(

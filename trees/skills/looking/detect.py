@@ -149,9 +149,10 @@ class Detect(LookLeaf):
         estimate = before if several else seen.get(name)
         if estimate is None:
             message = f"the {words} was seen before, but is not in view now"
-            unsure = before is not None and self._doubts(before)
-            reason = Reason.UNSURE if unsure and self.part != "asking" else Reason.NOT_SEEN
-            if reason is Reason.NOT_SEEN and self.part not in ("known", "asking"):
+            reason = Reason.NOT_SEEN
+            if self.part != "asking" and before is not None and self._doubts(before):
+                reason = Reason.UNSURE
+            elif self.part not in ("known", "asking"):
                 reason = Reason.OUT_OF_VIEW
                 self._set_output("target", _as_believed(name, scene.objects[name]))
             return Failure.postcondition(message, seen=_words(seen)).because(reason)

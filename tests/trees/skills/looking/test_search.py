@@ -1,16 +1,20 @@
 """When a question is put: not before arms that may hide what has gone are out of the way."""
 
 import base64
+from dataclasses import replace
 
 import pytest
+from py_trees.common import Status
 
 from kinematics.requests.pick import PickRequest
 from robots.fake.fake_world import cup, table
 from robots.fake.scripted_detector import PICTURE
+from tests.trees.leaf_inputs import believe
 from trees.beliefs.grounding.grounding import exactly
 from trees.events import ThingPictured
 from trees.failures import Failure, OpenChoice
-from trees.skills.looking.search import looking_from_home_is_useless
+from trees.policy import Gaze
+from trees.skills.looking.search import looking_from_home_is_useless, search
 from trees.tasks import ObjectDescription, PickTask
 
 CUP = PickTask("pick up the cup", ObjectDescription("cup"))
@@ -75,3 +79,20 @@ def test_what_a_person_has_said_it_is_is_gone_for_however_unsurely_it_is_seen(st
     tree = stage.play(stage.pick(PickTask("pick it up", exactly("red cup"))))
 
     assert tree.status == "success"
+
+
+@pytest.mark.requirement("F3")
+@pytest.mark.parametrize("there", [True, False])
+def test_what_no_look_shows_is_looked_for_where_it_was_seen_before(stage_with, quick, there):
+    away = Gaze("away", tilt_rad=0.6, pan_rad=-0.9)
+    policy = replace(quick, search_gazes=(away,), survey_gazes=(away, away), last_gaze=away)
+    red = cup(place_m=(0.45, 0.45))
+    stage = stage_with(table(), red, policy=policy)
+    believe(stage, [table(), red])
+    if not there:
+        stage.fake.world.hidden.add("red cup")
+
+    found = stage.run(search("search", stage.toolbox), task=CUP)
+
+    assert found is (Status.SUCCESS if there else Status.FAILURE)
+    assert ("red cup" in stage.told.scene.objects) is there
