@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud
 from robots.perception.rgbd.color_classes import COLOR_NAMES, DEVIATIONS, HUE_PRECISIONS, MEANS
-from robots.perception.rgbd.picture import Colors, Mask
+from robots.perception.rgbd.picture import Colors, Mask, window_of
 
 REFERENCE_RGB = (0.62, 0.47, 0.32)
 """Of the wood that furniture is made of, in daylight."""
@@ -21,6 +21,8 @@ _LEAST_REFERENCE = 400
 _OFF_LOCUS = 0.08
 _WHITE = 235.0
 _LEAST_PIXELS = 8
+_NEIGHBOURS_PX = 8
+"""Of a pixel so far around it tells how it faces."""
 _SHARES = 0.5, 0.95, 0.75, 0.95
 """Of pixels in order of brightness: from where to where are those that count as typical, and as bright."""
 _LEVEL, _UPRIGHT = 0.92, 0.5
@@ -127,13 +129,19 @@ def as_in_daylight(color: Colors, light: Light) -> Colors:
     return np.asarray(cv2.LUT(color, table[None]))
 
 
-def facing_up(cloud: Cloud) -> NDArray[np.float32]:
+def facing_up(cloud: Cloud, shown: Mask) -> NDArray[np.float32]:
     """How much each two by two pixels face upwards: 1 level, 0 upright, nan where their neighbours are lost.
 
+    Args:
+        cloud: The points.
+        shown: For which of them that is asked.
+
     Returns:
-        Shape (height / 2, width / 2).
+        Shape (height / 2, width / 2); nan too far beside those that are asked.
     """
-    places = cv2.merge([cloud.x[::2, ::2], cloud.y[::2, ::2], cloud.z[::2, ::2]])
+    rows, columns = window_of(shown, _NEIGHBOURS_PX)
+    part = (slice(rows.start, rows.stop, 2), slice(columns.start, columns.stop, 2))
+    places = cv2.merge([cloud.x[part], cloud.y[part], cloud.z[part]])
     smooth = cv2.blur(places, (3, 3))
     across, down = np.zeros_like(smooth), np.zeros_like(smooth)
     across[:, 1:-1] = smooth[:, 2:] - smooth[:, :-2]
@@ -142,9 +150,13 @@ def facing_up(cloud: Cloud) -> NDArray[np.float32]:
     dx, dy, dz = cv2.split(down)
     nx, ny, nz = ay * dz - az * dy, az * dx - ax * dz, ax * dy - ay * dx
     size = np.sqrt(nx * nx + ny * ny + nz * nz)
-    whole = cv2.erode(cloud.there[::2, ::2].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    whole = cv2.erode(cloud.there[part].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
     up = np.abs(nz) / np.maximum(size, np.float32(1e-12))
-    return np.asarray(np.where(whole & (size > 0.0), up, np.float32(np.nan)), dtype=np.float32)
+    found = np.full(cloud.there[::2, ::2].shape, np.nan, dtype=np.float32)
+    found[rows.start // 2 : (rows.stop + 1) // 2, columns.start // 2 : (columns.stop + 1) // 2] = np.where(
+        whole & (size > 0.0), up, np.float32(np.nan)
+    )
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,24 +199,25 @@ def piece_colors(
     typical, level, upright = np.zeros((count, 3)), np.zeros((count, 3)), np.zeros((count, 3))
     used = np.zeros(count)
     has_level, has_upright = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
-    for mask in (labels > 0, inner):  # the inner part where there is one
-        rows, columns = np.nonzero(mask)
-        which = labels[rows, columns] - 1
-        pixels = half[rows, columns].astype(np.float64)
-        facing = up[rows, columns]
-        order = np.lexsort((pixels @ np.ones(3), which))
-        which, pixels, facing = which[order], pixels[order], facing[order]
-        first = np.searchsorted(which, np.arange(count))
-        last = np.searchsorted(which, np.arange(count), side="right")
-        for k in range(count):
-            some, faces = pixels[first[k] : last[k]], facing[first[k] : last[k]]
-            if len(some) < _LEAST_PIXELS:
-                continue
-            at = [int(share * len(some)) for share in _SHARES]
-            typical[k] = np.median(some[at[0] : at[1]], axis=0)
-            used[k] = len(some)
-            has_level[k], level[k] = _brighter(some[faces > _LEVEL])
-            has_upright[k], upright[k] = _brighter(some[faces < _UPRIGHT])
+    # the inner part where there is one
+    enough = np.bincount(labels[inner], minlength=count + 1) >= _LEAST_PIXELS
+    rows, columns = np.nonzero((labels > 0) & (inner | ~enough[labels]))
+    which = labels[rows, columns] - 1
+    pixels = half[rows, columns].astype(np.float64)
+    facing = up[rows, columns]
+    order = np.lexsort((pixels @ np.ones(3), which))
+    which, pixels, facing = which[order], pixels[order], facing[order]
+    first = np.searchsorted(which, np.arange(count))
+    last = np.searchsorted(which, np.arange(count), side="right")
+    for k in range(count):
+        some, faces = pixels[first[k] : last[k]], facing[first[k] : last[k]]
+        if len(some) < _LEAST_PIXELS:
+            continue
+        at = [int(share * len(some)) for share in _SHARES]
+        typical[k] = np.median(some[at[0] : at[1]], axis=0)
+        used[k] = len(some)
+        has_level[k], level[k] = _brighter(some[faces > _LEVEL])
+        has_upright[k], upright[k] = _brighter(some[faces < _UPRIGHT])
     return PieceColors(typical, level, upright, used, has_level, has_upright)
 
 

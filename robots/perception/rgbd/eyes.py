@@ -206,7 +206,7 @@ class Eyes:
             boxes = Boxes(samples.boxes, segments.labels)
             named = namings(self._labeller, as_in_daylight(image, light), boxes, self._words)
             calls = with_names(calls, named)
-        shown = piece_colors(image, segments.labels, segments.count, facing_up(cloud))
+        shown = piece_colors(image, segments.labels, segments.count, facing_up(cloud, segments.labels > 0))
         values = features(shown, light)
         names, shares, off = name_colors(values)
         belief = confidences(samples, solids, calls, shares, off)

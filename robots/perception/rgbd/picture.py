@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +15,17 @@ from robots.interface.depth_camera import DepthCamera
 Colors = NDArray[np.uint8]
 Depths = NDArray[np.float32]
 Mask = NDArray[np.bool_]
+
+
+Window = tuple[slice, slice]
+"""Some rows and columns."""
+
+
+def window_of(mask: Mask, room_px: int) -> Window:
+    """The rows and columns of a picture that show something, with some around; both begin at even ones."""
+    left, top, wide, tall = cv2.boundingRect(mask.view(np.uint8))
+    rows, columns = max(top - room_px, 0) // 2 * 2, max(left - room_px, 0) // 2 * 2
+    return slice(rows, top + tall + room_px), slice(columns, left + wide + room_px)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, InFloat64
 from robots.perception.rgbd.cloud import Cloud, rays_through
+from robots.perception.rgbd.picture import Mask, Window, window_of
 from robots.perception.rgbd.segments import Segments
 
 POINTS = 260
@@ -74,8 +75,9 @@ def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
         ground_m: Height of what each stands on, shape (k,).
     """
     count = segments.count
-    rows, columns = np.nonzero(segments.labels)
-    which = segments.labels[rows, columns] - 1
+    window = window_of(segments.labels > 0, 1)
+    rows, columns = _shown(segments.labels[window] > 0, window)
+    which = (segments.labels[rows, columns] - 1).astype(np.uint16)
     order = np.argsort(which, kind="stable")
     rows, columns, which = rows[order], columns[order], which[order]
     first, pixels, pick, weight = _picked(which, count, POINTS)
@@ -91,7 +93,7 @@ def sample(cloud: Cloud, segments: Segments, ground_m: Array) -> Samples:
         ],
         axis=-1,
     ).astype(np.int64)
-    u, v, owner, cut, border, topless = _outline(cloud, segments, ground_m)
+    u, v, owner, cut, border, topless = _outline(cloud, segments, ground_m, window)
     eye = cloud.odom_T_camera[:3, 3]
     _, _, ray_pick, ray_weight = _picked(owner, count, RAYS)
     if not len(u):  # no outline is in sight
@@ -146,8 +148,14 @@ def _origins(points: Array, weight: Array, ground_m: Array) -> Array:
     return middle
 
 
+def _shown(mask: Mask, window: Window) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rows and columns of a picture that a mask of a part of it shows."""
+    rows, columns = np.nonzero(mask)
+    return rows + window[0].start, columns + window[1].start
+
+
 def _outline(
-    cloud: Cloud, segments: Segments, ground_m: Array
+    cloud: Cloud, segments: Segments, ground_m: Array, window: Window
 ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64], Array, Array, Array]:
     """Between which pixels an outline runs that is a thing's own, with its owner, sorted by owner.
 
@@ -158,8 +166,9 @@ def _outline(
     lost = (depth <= 0.0).astype(np.int32)
     us, vs, owners, own, hidden, outside, heights = [], [], [], [], [], [], []
     rows, columns = labels.shape
+    part = labels[window]
     for dy, dx in ((0, 1), (0, -1), (1, 0), _UP):
-        here_y, here_x = np.nonzero((labels > 0) & (_shifted(labels, dy, dx) != labels))
+        here_y, here_x = _shown((part > 0) & (_shifted(part, dy, dx) != part), window)
         out_y, out_x = here_y + _BEYOND_PX * dy, here_x + _BEYOND_PX * dx
         within = (out_y >= 0) & (out_y < rows) & (out_x >= 0) & (out_x < columns)
         oy, ox = np.clip(out_y, 0, rows - 1), np.clip(out_x, 0, columns - 1)

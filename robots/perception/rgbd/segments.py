@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import InFloat64
 from robots.perception.rgbd.cloud import Cloud, depth_jumps
-from robots.perception.rgbd.picture import Mask
+from robots.perception.rgbd.picture import Mask, Window, window_of
 from robots.perception.rgbd.surfaces import Surface, inside
 
 LEAST_ABOVE_M = 0.006
@@ -28,6 +28,8 @@ _ROUND_M = 0.05
 _WITHIN = 0.8
 _DISC_ROOM_M = 0.006
 _MOST = 60
+_ROOM_PX = 4
+"""So much of a picture around what stands on something shows where it ends."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,9 +80,10 @@ def segment(cloud: Cloud, mask: Mask, tint: NDArray[np.float32]) -> Segments:
         mask: Which of them stand on something.
         tint: Smoothed chromaticity, shape (2, height / 2, width / 2).
     """
-    cut = mask & ~depth_jumps(cloud.depth_m, cloud.sigma_m, JUMP_M, JUMP_SIGMAS)
+    window = window_of(mask, _ROOM_PX)
+    cut = mask[window] & ~depth_jumps(cloud.depth_m[window], cloud.sigma_m[window], JUMP_M, JUMP_SIGMAS)
     number, labels, stats, _ = cv2.connectedComponentsWithStats(cut.astype(np.uint8), connectivity=4)
-    changes = cut & _tint_changes(tint)
+    changes = cut & _tint_changes(tint)[window]
     if changes.any():
         number, labels, stats = _split(cut, changes, labels, stats)
     large = [i for i in range(1, number) if stats[i, cv2.CC_STAT_AREA] >= LEAST_PIXELS]
@@ -88,8 +91,10 @@ def segment(cloud: Cloud, mask: Mask, tint: NDArray[np.float32]) -> Segments:
     renamed = np.zeros(number, dtype=np.int32)
     for new, old in enumerate(large, start=1):
         renamed[old] = new
-    pieces = renamed[labels]
-    return _joined(cloud, pieces, len(large), tint)
+    joined = _joined(cloud, renamed[labels], len(large), tint, window)
+    whole = np.zeros(mask.shape, dtype=np.int32)
+    whole[window] = joined.labels
+    return Segments(whole, joined.count)
 
 
 def _tint_changes(tint: NDArray[np.float32]) -> Mask:
@@ -138,16 +143,27 @@ def _split(
     return len(names), renumbered[result], made
 
 
-def _joined(cloud: Cloud, pieces: NDArray[np.int32], count: int, tint: NDArray[np.float32]) -> Segments:
-    """Join pieces over the same ground and of the same colour: the inside of a cup and its outside."""
+def _joined(
+    cloud: Cloud, pieces: NDArray[np.int32], count: int, tint: NDArray[np.float32], window: Window
+) -> Segments:
+    """Join pieces over the same ground and of the same colour: the inside of a cup and its outside.
+
+    Args:
+        cloud: Of the whole picture.
+        pieces: In a window of it.
+        count: Of pieces.
+        tint: Of the whole picture.
+        window: Which part of it that is.
+    """
     if count < 2:
         return Segments(pieces, count)
-    rows, columns = np.nonzero(pieces)
-    which = pieces[rows, columns]
+    rows, columns = np.nonzero(pieces > 0)
+    which = pieces[rows, columns].astype(np.uint8)
     order = np.argsort(which, kind="stable")
-    bounds = np.searchsorted(which[order], np.arange(1, count + 2))
-    x, y = cloud.x[rows, columns][order], cloud.y[rows, columns][order]
-    tints = tint[:, rows[order] // 2, columns[order] // 2].T
+    rows, columns, which = rows[order] + window[0].start, columns[order] + window[1].start, which[order]
+    bounds = np.searchsorted(which, np.arange(1, count + 2))
+    x, y = cloud.x[rows, columns], cloud.y[rows, columns]
+    tints = tint[:, rows // 2, columns // 2].T
     hulls, middles, discs = [], [], []
     for k in range(count):
         part = slice(bounds[k], bounds[k + 1])

@@ -19,6 +19,10 @@ from robots.perception.rgbd.samples import Samples
 STEPS = 8
 _ALONG = 12
 """Places along each grazing ray among which its nearest is looked for."""
+_FIRST_M, _AGAIN_M = 0.16, 0.019
+"""So far to either side of where it is thought to be the nearest is looked for: while the solid still moves
+far, and then about what the step before found."""
+_FAR_STEPS = 2
 LEAST_M, MOST_M = 0.008, 0.45
 _ALIKE_M = 0.02
 _WORST = 4.0
@@ -155,13 +159,17 @@ def fit(
     count = parameters.shape[1]
     damping = np.full(len(parameters), 1e-3)
     eye = np.eye(count)[None]
+    reach = samples.reach_m
     for step in range(STEPS):
         # first with wide tolerance, so that a bad guess is not taken for outliers
         wide = 3.0 if step < 2 else 1.5 if step < 4 else 1.0
-        residual, gradient, weight, _ = _measured(samples, parameters, distance, wide)
+        if step < _FAR_STEPS:
+            reach = _nearest(samples, samples.reach_m, parameters, distance, _FIRST_M)
+        reach = _nearest(samples, reach, parameters, distance, _AGAIN_M)
+        residual, gradient, weight, _ = _measured(samples, reach, parameters, distance, wide)
         weighted = gradient * weight[..., None]
-        normal = np.einsum("knp,knq->kpq", weighted, gradient)
-        right = np.einsum("knp,kn->kp", weighted, residual)
+        normal = weighted.transpose(0, 2, 1) @ gradient
+        right = (weighted.transpose(0, 2, 1) @ residual[..., None])[..., 0]
         if alike is not None:
             _assume_alike(normal, right, parameters, alike)
         scale = np.maximum(np.einsum("kpp->kp", normal), 1e2)
@@ -170,16 +178,17 @@ def fit(
         ]
         parameters += np.clip(change, -0.03, 0.03)
         parameters[:, sizes] = np.clip(parameters[:, sizes], LEAST_M, MOST_M)
-    residual, gradient, weight, points_m = _measured(samples, parameters, distance, 1.0)
+    reach = _nearest(samples, reach, parameters, distance, _AGAIN_M)
+    residual, gradient, weight, points_m = _measured(samples, reach, parameters, distance, 1.0)
     weighted = gradient * weight[..., None]
-    normal = np.einsum("knp,knq->kpq", weighted, gradient) + eye
+    information: Array = weighted.transpose(0, 2, 1) @ gradient + eye
     if alike is not None:
-        _assume_alike(normal, np.zeros_like(parameters), parameters, alike)
+        _assume_alike(information, np.zeros_like(parameters), parameters, alike)
     sigma = np.concatenate([samples.sigma_m, samples.ray_sigma_m], axis=1)
     valid = np.concatenate([samples.weight, samples.ray_weight], axis=1)
     scaled = np.minimum(np.abs(residual) / sigma, _WORST)
     score = (scaled**2 * valid).sum(axis=1) / np.maximum(valid.sum(axis=1), 1.0) + _PER_PARAMETER * count
-    return Fit(parameters, np.linalg.inv(normal), score, points_m)
+    return Fit(parameters, np.linalg.inv(information), score, points_m)
 
 
 def _assume_alike(normal: Array, right: Array, parameters: Array, pair: tuple[int, int]) -> None:
@@ -194,41 +203,41 @@ def _assume_alike(normal: Array, right: Array, parameters: Array, pair: tuple[in
 
 
 def _measured(
-    samples: Samples, parameters: Array, distance: Distance, wide: float
+    samples: Samples, reach_m: Array, parameters: Array, distance: Distance, wide: float
 ) -> tuple[Array, Array, Array, Array]:
     """Residuals, their derivatives and weights of points and rays together, and those of the points."""
-    on, on_gradient = distance(samples.points, parameters)
-    past, past_gradient = _grazing(samples, parameters, distance)
-    residual = np.concatenate([on, past], axis=1)
-    gradient = np.concatenate([on_gradient, past_gradient], axis=1)
+    nearest = samples.eye[:, None] + reach_m[..., None] * samples.rays
+    residual, gradient = distance(np.concatenate([samples.points, nearest], axis=1), parameters)
     sigma = wide * np.concatenate([samples.sigma_m, samples.ray_sigma_m], axis=1)
     valid = np.concatenate([samples.weight, samples.ray_weight], axis=1)
     off = (residual / (2.0 * sigma)) ** 2
     weight = valid / (sigma * sigma * (1.0 + off) ** 2)
-    return residual, gradient, weight, on
+    return residual, gradient, weight, residual[:, : samples.points.shape[1]]
 
 
-def _grazing(samples: Samples, parameters: Array, distance: Distance) -> tuple[Array, Array]:
-    """Distance of the nearest point of each ray, with its derivatives there."""
-    k, m, _ = samples.rays.shape
-    reach = samples.reach_m[..., None]
-    spread = np.linspace(-0.16, 0.16, _ALONG)
-    for _ in range(2):
-        along = reach + spread
-        places = samples.eye[:, None, None] + along[..., None] * samples.rays[:, :, None]
-        near, _ = distance(places.reshape(k, m * _ALONG, 3), parameters, False)
-        near = near.reshape(k, m, _ALONG)
-        best = np.clip(near.argmin(axis=2), 1, _ALONG - 2)
-        pick = best[..., None]
-        low = np.take_along_axis(near, pick - 1, axis=2)
-        mid = np.take_along_axis(near, pick, axis=2)
-        high = np.take_along_axis(near, pick + 1, axis=2)
-        bend = np.maximum(low - 2.0 * mid + high, 1e-12)
-        shift = np.clip(0.5 * (low - high) / bend, -1.0, 1.0)
-        reach = np.take_along_axis(along, pick, axis=2) + shift * (spread[1] - spread[0])
-        spread = spread * 0.12
-    nearest = samples.eye[:, None] + reach * samples.rays
-    return distance(nearest, parameters)
+def _nearest(
+    samples: Samples, about_m: Array, parameters: Array, distance: Distance, around_m: float
+) -> Array:
+    """How far along each ray its nearest place to a solid is, shape (k, m).
+
+    Args:
+        samples: With the rays.
+        about_m: Where it is about, shape (k, m).
+        parameters: Of the solids.
+        distance: From them.
+        around_m: So far to either side it is looked for.
+    """
+    k, m = about_m.shape
+    spread = np.linspace(-around_m, around_m, _ALONG)
+    along = about_m[..., None] + spread
+    places = samples.eye[:, None, None] + along[..., None] * samples.rays[:, :, None]
+    near = distance(places.reshape(k, m * _ALONG, 3), parameters, False)[0].reshape(k * m, _ALONG)
+    best = np.clip(near.argmin(axis=1), 1, _ALONG - 2)
+    rows = np.arange(k * m)
+    low, mid, high = near[rows, best - 1], near[rows, best], near[rows, best + 1]
+    bend = np.maximum(low - 2.0 * mid + high, 1e-12)
+    shift = np.clip(0.5 * (low - high) / bend, -1.0, 1.0)
+    return np.asarray(about_m + (spread[best] + shift * (spread[1] - spread[0])).reshape(k, m))
 
 
 def visible_side(samples: Samples, middle: Array, height: Array) -> NDArray[np.bool_]:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robots.perception.rgbd.cloud import Cloud
+from robots.perception.rgbd.picture import window_of
 from robots.perception.rgbd.segments import JUMP_M, Segments
 
 _FLOATS_M = 0.02
@@ -53,7 +54,8 @@ def with_wholes(cloud: Cloud, segments: Segments, ground_m: float) -> Segments:
 
 def _neighbours(cloud: Cloud, segments: Segments) -> set[tuple[int, int]]:
     """Pieces that lie side by side in the picture, with no jump of depth between them."""
-    labels, depth = segments.labels, cloud.depth_m
+    window = window_of(segments.labels > 0, 0)
+    labels, depth = segments.labels[window], cloud.depth_m[window]
     found: set[tuple[int, int]] = set()
     for axis, beyond in ((0, 1), (0, 3), (1, 1), (1, 3)):
         here = (slice(None, -beyond), slice(None)) if axis == 0 else (slice(None), slice(None, -beyond))

@@ -201,7 +201,7 @@ def _wide_m(aside: Array) -> float:
 
 def may_lie(piece: Piece) -> bool:
     """Whether a piece is as low and as long as somebody who lies."""
-    if piece.top_m > _LIES_M or piece.area_m2 < 0.08:
+    if piece.area_m2 < 0.08 or piece.top_m > _LIES_M:
         return False
     flat = piece.points[:, :2]
     spread = np.linalg.svd(flat - flat.mean(axis=0), compute_uv=False) / len(flat) ** 0.5
@@ -210,7 +210,7 @@ def may_lie(piece: Piece) -> bool:
 
 def may_stand(piece: Piece) -> bool:
     """Whether a piece is as high as somebody who sits or stands, and no wall."""
-    if piece.top_m <= _SITS_M + HEAD_M or piece.area_m2 < 0.03:
+    if piece.area_m2 < 0.03 or piece.top_m <= _SITS_M + HEAD_M:
         return False
     flat = piece.points[:, :2]
     reach = np.linalg.norm(flat - np.median(flat, axis=0), axis=1)

@@ -86,7 +86,7 @@ def find_people(cloud: Cloud, light: Light) -> list[SeenPerson]:
 
 def _body(cloud: Cloud, piece: Piece, pieces: Pieces) -> Body | None:
     focal = cloud.picture.camera.focal_px / EVERY
-    if may_stand(piece) and piece.area_m2 < _LARGEST_M2:
+    if piece.area_m2 < _LARGEST_M2 and may_stand(piece):
         head = find_head(cloud, piece)
         if head is None or not _ends_above(head, piece) or not _is_round(head, piece, cloud):
             return None

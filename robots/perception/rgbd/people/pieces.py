@@ -16,6 +16,7 @@ _FLOOR_M, _FLOOR_SIGMAS = 0.07, 2.0
 _TALLEST_M, _FARTHEST_M = 2.4, 6.0
 JUMP_M, JUMP_SIGMAS = 0.06, 6.0
 _LEAST_AREA_M2 = 0.004
+_LEAST_PIXELS = 12
 _MOST = 80
 
 
@@ -63,6 +64,7 @@ def pieces_of(cloud: Cloud) -> Pieces:
     mask &= (smooth > 0.0) & ~depth_jumps(smooth, sigma, JUMP_M, JUMP_SIGMAS)
     _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=4)
     order = np.argsort(-stats[1:, cv2.CC_STAT_AREA], kind="stable")[:_MOST] + 1
+    order = order[stats[order, cv2.CC_STAT_AREA] >= _LEAST_PIXELS]
     focal = cloud.picture.camera.focal_px / EVERY
     found = []
     for number in order.tolist():
@@ -71,7 +73,7 @@ def pieces_of(cloud: Cloud) -> Pieces:
         rows, columns = rows + top, columns + left
         median = float(np.median(depth[rows, columns]))
         area = len(rows) * (median / focal) ** 2
-        if area < _LEAST_AREA_M2 or len(rows) < 12:
+        if area < _LEAST_AREA_M2:
             continue
         r, c = rows * EVERY, columns * EVERY
         points = np.column_stack([cloud.x[r, c], cloud.y[r, c], cloud.z[r, c]]).astype(np.float64)
