@@ -188,7 +188,8 @@ def fit(
     valid = np.concatenate([samples.weight, samples.ray_weight], axis=1)
     scaled = np.minimum(np.abs(residual) / sigma, _WORST)
     score = (scaled**2 * valid).sum(axis=1) / np.maximum(valid.sum(axis=1), 1.0) + _PER_PARAMETER * count
-    return Fit(parameters, np.linalg.inv(information), score, points_m)
+    covariance = np.asarray(np.linalg.inv(information), dtype=np.float64)
+    return Fit(parameters, covariance, score, points_m)
 
 
 def _assume_alike(normal: Array, right: Array, parameters: Array, pair: tuple[int, int]) -> None:
