@@ -30,6 +30,8 @@ _BAND_M = 0.25
 """Of a shirt and trousers each is at least so high."""
 _FAR_M = 100.0
 _LEAST_PIXELS, _TALLEST_M, _WIDEST_M = 150, 0.35, 0.30
+_LEG_M = 0.11
+"""What goes on out of the picture and is narrower is no leg."""
 _FIST_M = 0.075
 """What is no higher, and of the colour of skin or of the sleeves, is a hand."""
 _SKIN = np.array([0.385, 0.285])
@@ -102,8 +104,13 @@ def held(call: Call) -> Call:
 def _has_size_of_thing(cloud: Cloud, mask: Mask) -> bool:
     if int(mask.sum()) < _LEAST_PIXELS:
         return False
-    spans = [float(np.ptp(np.quantile(axis[mask], (0.02, 0.98)))) for axis in (cloud.x, cloud.y, cloud.z)]
+    spans = _spans(cloud, mask)
     return max(spans[:2]) < _WIDEST_M and spans[2] < _TALLEST_M
+
+
+def _spans(cloud: Cloud, mask: Mask) -> list[float]:
+    """How far it reaches along x, y, and z."""
+    return [float(np.ptp(np.quantile(axis[mask], (0.02, 0.98)))) for axis in (cloud.x, cloud.y, cloud.z)]
 
 
 def _is_hand(cloud: Cloud, mask: Mask, tint: NDArray[np.float32], body: Sequence[Array]) -> bool:
@@ -143,10 +150,11 @@ def _worn(cloud: Cloud, trunk: Mask, tint: NDArray[np.float32]) -> list[Array]:
 
 
 def _is_cut(cloud: Cloud, mask: Mask) -> bool:
-    """Whether more of it is out of the picture, or lower than anybody holds anything: legs go on there."""
-    inside = mask.copy()
-    inside[1:-1, 1:-1] = False
-    return bool(inside.any() or cloud.z[mask].min() < _LOWEST_M + _JOINED_M)
+    """Whether it goes on: lower than anybody holds anything, or out of the picture and as wide as a leg."""
+    edge = mask.copy()
+    edge[1:-1, 1:-1] = False
+    low = cloud.z[mask].min() < _LOWEST_M + _JOINED_M
+    return bool(low or (edge.any() and max(_spans(cloud, mask)[:2]) > _LEG_M))
 
 
 def _is_arm(mask: Mask, beside: Mask) -> bool:

@@ -20,9 +20,9 @@ FIST = (Ball(0.035), AXIS_X - 0.40, -0.1, 0.0, SKIN, 0.24)
 PERSON = SeenPerson(poses.translation(AXIS_X, 0.0, 0.9), Cylinder(0.24, 1.75), ("standing",), 0.95, True)
 
 
-def found(*more, people=(PERSON,)):
+def found(*more, people=(PERSON,), camera=None):
     """Places of the pieces that are found in the hands of somebody who holds these, shape (n, 3)."""
-    camera = odom_T_camera(height_m=1.4, ahead_m=0.2, tilt_rad=0.25)
+    camera = odom_T_camera(height_m=1.4, ahead_m=0.2, tilt_rad=0.25) if camera is None else camera
     cloud = cloud_of(traced([TRUNK, FOREARM, FIST, *more], place=camera))
     others = cloud.z < TABLE_M + 0.02
     held_out = in_hands(cloud, people, others, smoothed_tint(cloud.picture.color))
@@ -68,6 +68,14 @@ def test_the_body_of_who_stands_beside_is_not_in_ones_hands():
         poses.translation(AXIS_X, 0.55, 0.9), Cylinder(0.24, 1.75), ("standing",), 0.95, True
     )
     assert len(found(beside, people=(PERSON, neighbour))) == 0
+
+
+@pytest.mark.parametrize(("size_m", "told"), [((0.06, 0.06, 0.20), 1), ((0.06, 0.16, 0.20), 0)])
+def test_what_goes_on_below_the_picture_is_a_leg_only_where_it_is_wide(size_m, told):
+    hangs = (Box(size_m), AXIS_X - 0.24, 0.0, 0.0, GREEN, 0.02)
+    low = odom_T_camera(height_m=1.4, ahead_m=0.4, tilt_rad=0.17)
+
+    assert len(found(hangs, camera=low)) == told
 
 
 def test_a_slim_thing_on_a_hand_may_be_any_slim_kind():
