@@ -22,6 +22,8 @@ _MOST_RADIUS_M = 0.03
 _LEAST_RADIUS_M = 0.004
 _SLENDER = 2.5
 _STEPS = 12
+_SAME_M, _ALONG_COS = 0.04, 0.95
+"""Two sightings that are so near to each other, and as much along each other, are of one bar."""
 _GROW_PX = 3
 """Pieces of a bar that lost pixels have cut apart are nearer than this."""
 
@@ -39,6 +41,27 @@ class Bar(InFloat64):
     shape: Cylinder
     odom_T_bar: Transform
     pixels: int
+
+
+def completed(bar: Bar, before: Bar) -> Bar:
+    """A bar as long and thick as it was seen before, where this sighting may be of a part of it.
+
+    Args:
+        bar: As it is seen now.
+        before: As it was seen; both in the frame of their front, which a bar never leaves.
+    """
+    along = before.odom_T_bar[:3, 2]
+    lacks_m = before.shape.height_m - bar.shape.height_m
+    off = bar.odom_T_bar[:3, 3] - before.odom_T_bar[:3, 3]
+    further_m = float(off @ along)
+    beside_m = float(np.linalg.norm(off - further_m * along))
+    same = abs(float(bar.odom_T_bar[:3, 2] @ along)) > _ALONG_COS and beside_m < _SAME_M
+    if lacks_m <= 0.0 or not same or abs(further_m) > 0.5 * lacks_m + _SAME_M:
+        return bar
+    shape = Cylinder(max(bar.shape.radius_m, before.shape.radius_m), before.shape.height_m)
+    front_T_bar = bar.odom_T_bar.copy()
+    front_T_bar[:3, 3] -= further_m * along
+    return Bar(shape, front_T_bar, bar.pixels)
 
 
 def find_bar(cloud: Cloud, odom_T_front: Transform, front: Box) -> Bar | None:

@@ -12,7 +12,7 @@ from kinematics.arrays import Array, InFloat64
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.perception.rgbd.cloud import Cloud
-from robots.perception.rgbd.openings.bar import Bar, find_bar
+from robots.perception.rgbd.openings.bar import Bar, completed, find_bar
 from robots.perception.rgbd.openings.cabinet import OPENING, YAW, Cabinet, X, Y, Z, surface_m
 from robots.perception.rgbd.openings.fit import ON_MAP, ON_SIGHT, Fit, Prior, fit
 from robots.perception.rgbd.openings.view import Thinned, View, thinned, view_of
@@ -139,6 +139,7 @@ class Cabinets:
     def __init__(self, known: Sequence[Furniture]) -> None:
         self._on_map = tuple(piece for piece in known if piece.opens is not None)
         self._on_sight: dict[int, Furniture] = {}
+        self._front_T_bar: dict[int, Bar] = {}
         self._now: set[int] = set()
 
     def look(self, cloud: Cloud) -> list[SeenCabinet]:
@@ -158,8 +159,19 @@ class Cabinets:
                 continue
             self._on_sight[k] = replace(seen.placed, size_m=on_map.size_m)
             self._now.add(k)
-            found.append(seen)
+            found.append(self._with_whole_bar(k, seen))
         return found
+
+    def _with_whole_bar(self, k: int, seen: SeenCabinet) -> SeenCabinet:
+        """With a handle as long as it was ever seen: an arm or the picture's edge hides a part of it."""
+        if seen.bar is None:
+            return seen
+        odom_T_front = seen.cabinet.odom_T_front(seen.fit.config)
+        bar = replace(seen.bar, odom_T_bar=poses.inverse(odom_T_front) @ seen.bar.odom_T_bar)
+        if k in self._front_T_bar:
+            bar = completed(bar, self._front_T_bar[k])
+        self._front_T_bar[k] = bar
+        return replace(seen, bar=replace(bar, odom_T_bar=odom_T_front @ bar.odom_T_bar))
 
     @property
     def unseen(self) -> list[Furniture]:

@@ -48,8 +48,11 @@ def boxes_of(piece):
     return made
 
 
-def seen_by_eyes(piece, *more, height_m=1.55, away_m=1.15, tilt_rad=0.45, turn_rad=0.15):
-    """What eyes find of a piece that stands elsewhere than on their map."""
+def seen_by_eyes(piece, *more, height_m=1.55, away_m=1.15, tilt_rad=0.45, turn_rad=0.15, whole_first=False):
+    """What eyes find of a piece that stands elsewhere than on their map.
+
+    With ``whole_first`` they have seen it before, without what is before it.
+    """
     c, s = np.cos(tilt_rad), np.sin(tilt_rad)
     level = np.array([[0.0, -s, c], [-1.0, 0.0, 0.0], [0.0, -c, -s]])
     place = poses.transform(poses.rotation_z(turn_rad) @ level, (AHEAD_M - away_m, 0.1, height_m))
@@ -60,7 +63,10 @@ def seen_by_eyes(piece, *more, height_m=1.55, away_m=1.15, tilt_rad=0.45, turn_r
         yaw_rad=piece.yaw_rad + 0.01,
         opens=replace(piece.opens, opening=0.0),
     )
-    return Eyes([believed]).look(traced([*boxes_of(piece), *more], camera=CAMERA, place=place))
+    eyes = Eyes([believed])
+    if whole_first:
+        eyes.look(traced(boxes_of(piece), camera=CAMERA, place=place))
+    return eyes.look(traced([*boxes_of(piece), *more], camera=CAMERA, place=place))
 
 
 def told(seen, kind):
@@ -142,3 +148,15 @@ def test_a_front_whose_outline_is_out_of_the_picture_is_where_the_map_has_it():
 
     assert {one.kind for one in seen.furniture} == {"drawers"}
     assert not seen.things
+
+
+@pytest.mark.parametrize("whole_first", [True, False])
+def test_a_handle_of_which_a_part_is_hidden_is_as_long_as_it_was_seen_before(whole_first):
+    piece = fridge()
+    handle = truth(piece, "handle")[:3, 3]
+    arm = (Box((0.06, 0.12, 0.12)), handle[0] - 0.15, handle[1], 0.0, GREEN, handle[2] + 0.1 - TABLE_M)
+    bar = told(seen_by_eyes(piece, arm, whole_first=whole_first), "handle")
+
+    length_m = next(one for one in moving_solids(piece) if one.kind == "handle").shape.height_m
+    assert (abs(bar.shape.height_m - length_m) < 0.03) == whole_first
+    assert (abs(bar.odom_T_solid[2, 3] - handle[2]) < 0.02) == whole_first
