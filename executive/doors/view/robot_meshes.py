@@ -22,8 +22,9 @@ from kinematics.geometry.poses import Transform
 _READABLE = (".stl", ".obj", ".ply")
 _USUAL = (190, 196, 204)
 _SIDES = 24
-_MANY, _CELL_M = 800, 0.016
-"""A mesh of more triangles loses details smaller than this: browsers draw it thirty times a second."""
+_LEAST, _PER_M2 = 80, 1000.0
+"""So many triangles a mesh keeps, and as many more for each square metre: browsers draw it thirty times a
+second, some of them without a graphics card."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,25 +85,18 @@ def _solids(
 def simplified(
     vertices: NDArray[np.float64], faces: NDArray[np.int64]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """A mesh with fewer triangles: vertices of one cell of a grid become one, at their mean.
-
-    Small meshes stay as they are. (J. Rossignac and P. Borrel, 1993.)
+    """A mesh with fewer triangles, by quadric edge collapse; a small one stays as it is.
 
     Args:
         vertices: In metres, shape (n, 3).
         faces: Indices of vertices, shape (m, 3).
     """
-    if len(faces) <= _MANY:
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    wanted = int(_LEAST + _PER_M2 * mesh.area)
+    if len(faces) <= wanted:
         return vertices, faces
-    cells = np.floor(vertices / _CELL_M).astype(np.int64)
-    _, cell, count = np.unique(cells, axis=0, return_inverse=True, return_counts=True)
-    cell = cell.reshape(-1)
-    means = np.stack([np.bincount(cell, vertices[:, axis]) / count for axis in range(3)], axis=1)
-    kept = cell[faces]
-    flat = (kept[:, 0] == kept[:, 1]) | (kept[:, 1] == kept[:, 2]) | (kept[:, 2] == kept[:, 0])
-    kept = kept[~flat]
-    _, first = np.unique(np.sort(kept, axis=1), axis=0, return_index=True)
-    return means, kept[np.sort(first)]
+    fewer = mesh.simplify_quadric_decimation(face_count=wanted)
+    return np.asarray(fewer.vertices, dtype=np.float64), np.asarray(fewer.faces, dtype=np.int64)
 
 
 def _mesh(geometry: ElementTree.Element | None) -> trimesh.Trimesh | None:

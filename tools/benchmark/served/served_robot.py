@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes.util
 import os
 import re
 import shutil
@@ -27,7 +28,10 @@ EXECUTIVE = "executive.live.served_executive.executive_process"
 """The modules of the processes."""
 SCENE = "tabletop"
 LOOK_S = 0.005
-_ARGUMENTS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+_ARGUMENTS = ("--no-sandbox",)
+_BY_MESA = ("--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist")
+_BY_CHROMIUM = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+"""Without a graphics card Mesa draws nearly twice as fast as what Chromium brings."""
 _WITHIN_S = 240.0
 _TICKS = os.sysconf("SC_CLK_TCK")
 _MOVES = "wave"
@@ -178,7 +182,8 @@ def memory_kb(pid: int) -> int:
 
 def launched(playwright: Playwright) -> Browser:
     """Debian's Chromium, drawing without a graphics card."""
-    return playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(_ARGUMENTS))
+    drawn = _BY_MESA if ctypes.util.find_library("EGL_mesa") else _BY_CHROMIUM
+    return playwright.chromium.launch(executable_path=shutil.which("chromium"), args=[*_ARGUMENTS, *drawn])
 
 
 def opened(chromium: Browser, address: str) -> Page:

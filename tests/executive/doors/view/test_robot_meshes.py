@@ -45,7 +45,7 @@ def test_a_robot_is_drawn_with_few_enough_triangles(name):
     meshes = link_meshes(load_description(name).urdf)
 
     assert {mesh.link for mesh in meshes} >= {load_description(name).base_link}
-    assert sum(len(mesh.faces) for mesh in meshes) < 160_000
+    assert sum(len(mesh.faces) for mesh in meshes) < 50_000
     assert all(mesh.faces.max() < len(mesh.vertices) for mesh in meshes)
 
 
@@ -53,8 +53,8 @@ def test_a_simplified_mesh_stays_near_its_surface_with_fewer_triangles():
     ball = trimesh.creation.icosphere(subdivisions=5, radius=0.1)
     vertices, faces = simplified(np.asarray(ball.vertices), np.asarray(ball.faces))
 
-    assert len(faces) < 0.5 * len(ball.faces)
-    assert np.linalg.norm(vertices, axis=1) == pytest.approx(0.1, abs=0.004)
+    assert len(faces) < 0.1 * len(ball.faces)
+    assert np.linalg.norm(vertices, axis=1) == pytest.approx(0.1, abs=0.008)
 
 
 def test_a_small_mesh_stays_as_it_is():
