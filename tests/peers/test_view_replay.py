@@ -1,6 +1,10 @@
 """Recorded runs in a real browser: Debian's Chromium under Playwright."""
 
 import io
+import re
+import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -23,6 +27,8 @@ from tests.peers.served_page import MARKS, PHONE, WINDOW, opened, until
 pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
 TEXT = "move backward for 1 second, then wait for 15 seconds"
+FAILS = "wait for 2 seconds, then point at the purple ball"
+"""Nothing is purple: the robot looks for it, and cannot turn around before the table."""
 SLOW = "0.1 x"
 """A browser on a busy machine can take seconds until it tells of a key: the run must not end meanwhile."""
 PICTURE_S = 8.0
@@ -40,10 +46,10 @@ def pixels(page):
     return list(Image.open(io.BytesIO(page.screenshot())).convert("RGB").get_flattened_data())
 
 
-def recorded(folder, seed):
-    said = script_for(TEXT, Trust(), "tabletop")
+def recorded(folder, seed, text=TEXT):
+    said = script_for(text, Trust(), "tabletop")
     feed = RunFeed(NoDisplay(), print)
-    request = RunRequest(TEXT, said.statements, "talos", "tabletop", seed, folder)
+    request = RunRequest(text, said.statements, "talos", "tabletop", seed, folder)
     perform(request, feed, on_assembly=feed.begin, on_record=feed.record)
     feed.close()
     (run,) = recorded_runs(folder)
@@ -57,6 +63,21 @@ def timeline(tmp_path_factory):
     server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
     made = Timeline(server, one, over.is_set, other, SLOW)
     made.port = server.port
+    thread = threading.Thread(target=made.run)
+    thread.start()
+    yield made
+    over.set()
+    thread.join()
+    server.close()
+
+
+@pytest.fixture(scope="module")
+def failed(tmp_path_factory):
+    """The page of a run in which something fails between two waits."""
+    run = recorded(tmp_path_factory.mktemp("failed"), 4, FAILS)
+    server, over = PageServer(0, Access(new_token()), "run"), threading.Event()
+    made = Timeline(server, run, over.is_set)
+    made.port, made.run_shown = server.port, run
     thread = threading.Thread(target=made.run)
     thread.start()
     yield made
@@ -120,6 +141,44 @@ def test_the_cameras_picture_is_shown_where_it_looks(page, timeline):
     until(lambda: magenta() > 100)
     timeline.go_to(PICTURE_S - 0.1)
     until(lambda: magenta() == 0)
+
+
+def test_a_key_goes_to_the_failure_and_the_page_tells_it(chromium, failed):
+    page = opened(chromium, WINDOW)
+    page.goto(f"http://127.0.0.1:{failed.port}/")
+    page.get_by_text("next failure", exact=True).wait_for()
+    page.locator("canvas[data-engine]").wait_for()
+    assert page.get_by_text("no room to turn").count() == 0
+    page.keyboard.press("Alt+f")
+
+    until(lambda: failed.t_s > 0.0)
+    assert failed.t_s == failed.run_shown.failures_s[0]
+    page.get_by_text("no room to turn").first.wait_for()
+    page.context.close()
+
+
+def test_the_command_shows_two_runs_beside_each_other(chromium, tmp_path):
+    for seed in (5, 6):
+        recorded(tmp_path / str(seed), seed, "wait for 1 second")
+    runs = [recorded_runs(tmp_path / str(seed))[0] for seed in (5, 6)]
+    names = [str(run.path) for run in runs]
+    command = [sys.executable, "-m", "executive", "replay", *names, "--view", "--view-port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    lines = []
+    address = next(
+        found[0]
+        for line in process.stdout
+        if (lines.append(line) or (found := re.search(r"http://127.0.0.1:\S+", line)))
+    )
+    page = opened(chromium, WINDOW)
+    page.goto(address)
+
+    page.get_by_text("first difference", exact=True).wait_for()
+    for run in runs:
+        page.get_by_text(run.name, exact=True).first.wait_for()
+    page.context.close()
+    process.send_signal(signal.SIGINT)
+    assert process.wait(60.0) == 0, lines
 
 
 def test_a_tab_reaches_the_button_that_plays(page, timeline):
