@@ -33,6 +33,7 @@ SUITES = (
     "view",
     "eyes",
     "view_long",
+    "many_cores",
 )
 _BROWSED = frozenset({"view", "view_long"})
 
@@ -80,6 +81,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
     from tools.benchmark.control import control
     from tools.benchmark.eyes import eyes
     from tools.benchmark.ik import ik
+    from tools.benchmark.many_cores import many_cores
     from tools.benchmark.meshes import meshes
     from tools.benchmark.peers.environments import PeerEnvironment
     from tools.benchmark.pick import pick
@@ -110,6 +112,7 @@ def _run(suite: str, quick: bool, cache: Path, samples: int | None) -> Report:
         "ros": ros,
         "startup": startup,
         "eyes": eyes,
+        "many_cores": many_cores,
     }
     if suite in _BROWSED or suite == "recording":  # what they need is not everywhere
         from tools.benchmark.served.recording import recording

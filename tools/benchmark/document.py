@@ -70,6 +70,13 @@ The trajectory checker on planned motions of TALOS amid things on a table, stret
 times. What it is compared to is no checker: the least that anybody pays who looks at every sample.
 """
 
+_MANY_CORES = """\
+Picks through the harness, in processes and by Ray, beside a model of it; then what the model makes of as many
+episodes as take days on one core. The model takes how long one core is until its first episode, how long
+episodes are, and what the one process does that hands out and keeps, from the run on one core. It leaves out
+what cores cost each other that share a memory, and what it takes to ship the sources to other machines.
+"""
+
 # In the order of the page.
 _TEXTS = {
     "planning": "Every planning request of real picks in random scenes.\n",
@@ -84,6 +91,7 @@ _TEXTS = {
     "ros": "Joint states on the wire, from stamp to arrival, beside a bare pair of DDS at the same time.\n",
     "view": "The page in Debian's Chromium without a graphics card, on the same cores; wall time.\n",
     "eyes": "The same picks seen through either, taking turns; what the camera draws and looks at counts.\n",
+    "many_cores": _MANY_CORES,
     "startup": "Fresh processes, beside one that only imports the libraries.\n",
 }
 
