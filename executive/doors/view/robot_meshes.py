@@ -22,7 +22,7 @@ from kinematics.geometry.poses import Transform
 _READABLE = (".stl", ".obj", ".ply")
 _USUAL = (190, 196, 204)
 _SIDES = 24
-_LEAST, _PER_M2 = 80, 1000.0
+_LEAST, _PER_M2 = 60, 600.0
 """So many triangles a mesh keeps, and as many more for each square metre: browsers draw it thirty times a
 second, some of them without a graphics card."""
 
