@@ -22,7 +22,7 @@ from kinematics.geometry.poses import Transform
 _READABLE = (".stl", ".obj", ".ply")
 _USUAL = (190, 196, 204)
 _SIDES = 24
-_LEAST, _PER_M2 = 60, 600.0
+_LEAST, _PER_M2 = 80, 2500.0
 """So many triangles a mesh keeps, and as many more for each square metre: browsers draw it thirty times a
 second, some of them without a graphics card."""
 
@@ -117,7 +117,10 @@ def _mesh(geometry: ElementTree.Element | None) -> trimesh.Trimesh | None:
             path = Path(solid.get("filename", ""))
             if path.suffix.lower() in _READABLE and path.is_file():
                 made = trimesh.load_mesh(path)
-                made.vertices = made.vertices * _numbers(solid.get("scale", "1 1 1"))
+                scale = _numbers(solid.get("scale", "1 1 1"))
+                made.vertices = made.vertices * scale
+                if np.prod(scale) < 0.0:  # a mirrored one would be inside out
+                    made.invert()
     return made
 
 

@@ -57,6 +57,16 @@ def test_a_simplified_mesh_stays_near_its_surface_with_fewer_triangles():
     assert np.linalg.norm(vertices, axis=1) == pytest.approx(0.1, abs=0.008)
 
 
+def test_a_mirrored_mesh_is_not_inside_out(tmp_path):
+    trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / "box.stl")
+    mesh = f'<mesh filename="{tmp_path / "box.stl"}" scale="1 -1 1"/>'
+    (solid,) = link_meshes(
+        f'<robot name="r"><link name="a"><visual><geometry>{mesh}</geometry></visual></link></robot>'
+    )
+
+    assert trimesh.Trimesh(solid.vertices, solid.faces).volume == pytest.approx(0.006, rel=1e-3)
+
+
 def test_a_small_mesh_stays_as_it_is():
     box = trimesh.creation.box((0.002, 0.002, 0.002))
 
