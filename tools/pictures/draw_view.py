@@ -47,7 +47,9 @@ def draw(page: Page, address: str, asked: str, target: Path, dark: bool) -> None
 
 def draw_question(browser: Browser, target: Path, folder: Path) -> None:
     """Draw a served robot that asks which of two things is meant, as it sees them with its own camera."""
-    options = ("--scene", _ASKED_SCENE, "--perception", "rgbd", "--evaluation", "--ordinary")
+    # a browser without a graphics card leaves the camera little of two cores
+    slowly = ("--ordinary", "--pace", "0.25")
+    options = ("--scene", _ASKED_SCENE, "--perception", "rgbd", "--evaluation", *slowly)
     with served(folder, WallClock(), *options, "--view", "--view-port", "0") as robot:
         page = opened(browser, robot.address)
         page.locator("form input").first.fill(_ASKED)
