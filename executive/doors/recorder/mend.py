@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import struct
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO
@@ -58,8 +60,9 @@ def mend(path: Path) -> bool:
     kept = list(records(path))
     if any(isinstance(one, Footer) for one in kept):
         return False
-    whole = path.with_name(f".{path.name}.mended")
-    with whole.open("wb") as file:
+    # another process may mend it at the same time
+    number, whole = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".mended", dir=path.parent)
+    with os.fdopen(number, "wb") as file:
         writer = Writer(file, compression=CompressionType.ZSTD)
         writer.start("ros2", "humanoid-executive")
         schemas: dict[int, int] = {}
@@ -77,5 +80,5 @@ def mend(path: Path) -> bool:
                     channels[one.channel_id], one.log_time, one.data, one.publish_time, one.sequence
                 )
         writer.finish()  # type: ignore[no-untyped-call]
-    whole.replace(path)
+    Path(whole).replace(path)
     return True

@@ -11,6 +11,7 @@ import time
 import numpy as np
 import pytest
 from mcap.reader import make_reader
+from mcap.writer import Writer
 from mcap_ros2.decoder import DecoderFactory
 from PIL import Image
 from rosbags.highlevel import AnyReader
@@ -170,6 +171,24 @@ def test_one_that_was_cut_off_is_read_as_far_as_it_goes_and_mended_for_others(re
         assert not mend(part)
         assert sum(map(len, by_mcap(part).values())) == before
         assert sum(map(len, by_rosbags(part).values())) == before
+
+
+def test_two_may_mend_one_recording_at_the_same_time(recorded, tmp_path, monkeypatch):
+    part = tmp_path / "motion.mcap"
+    part.write_bytes(recorded.read_bytes()[:30_000])
+    finish, others = Writer.finish, []
+
+    def finish_late(writer):
+        if not others:
+            others.append(None)
+            assert mend(part)  # another one comes and is through first
+        finish(writer)
+
+    monkeypatch.setattr(Writer, "finish", finish_late)
+
+    assert mend(part)
+    assert not mend(part)
+    assert [file.name for file in tmp_path.iterdir()] == ["motion.mcap"]
 
 
 def test_what_is_no_recording_is_said_to_be_none(tmp_path):
