@@ -7,8 +7,8 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import ABOVE_MIDDLE
 from kinematics.planning.pick_task import PickTask
 from robots.models.description import load_description
+from tools.benchmark.peers.picks import PeerPick, PeerPicker, natural_grasps
 from tools.benchmark.pick import Trial, peer_figures, peer_notes
-from tools.benchmark.pick_peers import PeerPick, PeerPicker, natural_grasps
 from tools.benchmark.problems.picks import picks
 
 # Processor time that every answer of the fakes says, s.

@@ -20,7 +20,7 @@ from robots.models.description import load_description
 from tools.benchmark.figures import Figure, figure
 from tools.benchmark.peers.environments import PeerEnvironment
 from tools.benchmark.peers.peer_process import peer_process
-from tools.benchmark.pick_peers import PARTS, STAGES, PeerPick, PeerPicker, peer_picker
+from tools.benchmark.peers.picks import PARTS, STAGES, PeerPick, PeerPicker, peer_picker
 from tools.benchmark.pick_search import BUDGET_S, RUNNER, LongSearch
 from tools.benchmark.problems.picks import picks
 from tools.benchmark.report import Report

@@ -52,7 +52,7 @@ JUDGED_RAD = 1.0 / 256.0
 JUDGED_S = 0.0005
 BY_WAY, BY_TIME = "judgement", "judgement by time"
 STAGES = ("room", "ik", "valid", "path", "timing", BY_WAY, BY_TIME)
-_ROOT = Path(__file__).parents[2]
+_ROOT = Path(__file__).parents[3]
 _BASE_LINK = "base_link"
 
 
