@@ -113,6 +113,10 @@ class LeftBehind:
         return self._is_alone
 
 
+OF_THE_VIEW = ("viser", "trimesh", "fast_simplification")
+"""Modules that the extra ``view`` brings."""
+
+
 class MissingExtraError(UserError):
     """A feature needs packages that are not installed."""
 

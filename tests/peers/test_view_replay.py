@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager
 
 import pytest
 from PIL import Image
@@ -56,12 +57,11 @@ def recorded(folder, seed, text=TEXT):
     return recording_of(run)
 
 
-@pytest.fixture(scope="module")
-def timeline(tmp_path_factory):
-    one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
-    one.pictures.append((PICTURE_S, a_picture()))
+@contextmanager
+def shown(run, other=None):
+    """The timeline of a run, or of two beside each other, with the port of its page."""
     server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
-    made = Timeline(server, one, over.is_set, other, SLOW)
+    made = Timeline(server, run, over.is_set, other, SLOW)
     made.port = server.port
     thread = threading.Thread(target=made.run)
     thread.start()
@@ -72,18 +72,20 @@ def timeline(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
+def timeline(tmp_path_factory):
+    one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
+    one.pictures.append((PICTURE_S, a_picture()))
+    with shown(one, other) as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
 def failed(tmp_path_factory):
-    """The page of a run in which something fails between two waits."""
+    """The page of a run in which a wait is done, and what comes after it fails."""
     run = recorded(tmp_path_factory.mktemp("failed"), 4, FAILS)
-    server, over = PageServer(0, Access(new_token()), "run"), threading.Event()
-    made = Timeline(server, run, over.is_set)
-    made.port, made.run_shown = server.port, run
-    thread = threading.Thread(target=made.run)
-    thread.start()
-    yield made
-    over.set()
-    thread.join()
-    server.close()
+    with shown(run) as made:
+        made.run_shown = run
+        yield made
 
 
 @pytest.fixture(params=[WINDOW, PHONE], ids=["window", "phone"])

@@ -120,7 +120,7 @@ def _measured(backend: Backend, count: int, jobs: int) -> Took:
     wall, orders = WallClock(), [EpisodeOrder(_FIRST_SEED + k) for k in range(count)]
     with tempfile.TemporaryDirectory(prefix="many-cores-") as folder:
         journal = Journal[EpisodeOrder, EpisodeRecord](Path(folder) / "all.jsonl", "pick", "", run_episode)
-        began_s, begun_s, before_s, told_s = wall.now_s(), 0.0, 0.0, 0.0
+        began_s, begun_s, before_s, all_s, kept_s, told_s = wall.now_s(), 0.0, 0.0, 0.0, 0.0, 0.0
         episodes_s: list[float] = []
         for ended in backend(orders, jobs):
             assert ended.record is not None
@@ -128,10 +128,10 @@ def _measured(backend: Backend, count: int, jobs: int) -> Took:
             if not episodes_s:  # what comes before is the start
                 begun_s, before_s = wall.now_s() - began_s - ended.cost.wall_s, time.process_time()
             episodes_s.append(ended.cost.wall_s)
+            all_s, kept_s = wall.now_s() - began_s, time.process_time() - before_s
             if len(episodes_s) == count and backend is _ray:
                 told_s = _told_by_ray()
-        all_s, kept_s = wall.now_s() - began_s, (time.process_time() - before_s) / max(count - 1, 1)
-    return Took(all_s, begun_s, tuple(episodes_s), kept_s, told_s)
+    return Took(all_s, begun_s, tuple(episodes_s), kept_s / max(count - 1, 1), told_s)
 
 
 def _told_by_ray() -> float:

@@ -32,9 +32,9 @@ def replay(
         typer.echo(line, err=True)
 
     if view:
-        from executive.doors.companion import require_extra
+        from executive.doors.companion import OF_THE_VIEW, require_extra
 
-        require_extra("view", "viser", "trimesh")
+        require_extra("view", *OF_THE_VIEW)
         from executive.doors.view.shown_again import show_again
 
         raise typer.Exit(show_again(run, record, view_port, tell, other))

@@ -166,9 +166,9 @@ def _bridge(folder: Path, domain: int, namespace: str, interface: str) -> list[s
 
 def _page(folder: Path, port: int) -> list[str]:
     """How the page is started."""
-    from executive.doors.companion import require_extra
+    from executive.doors.companion import OF_THE_VIEW, require_extra
 
-    require_extra("view", "viser", "trimesh")
+    require_extra("view", *OF_THE_VIEW)
     return [sys.executable, "-m", "executive.doors.view.view_process", str(folder), str(port)]
 
 
