@@ -149,7 +149,7 @@ def _mesh_item(table: MeshTable, pieces: tuple[Furniture, ...], source: str, ind
     return SceneItem(
         name=thing.name,
         kind=thing.kind,
-        color=table.color,
+        color=thing.color,
         shape=thing.model.outline,
         mass_kg=thing.mass_kg,
         friction=thing.friction,

@@ -5,18 +5,14 @@ import re
 import signal
 import subprocess
 import sys
-import threading
 import time
-from contextlib import contextmanager
 
 import pytest
 from PIL import Image
 
 from executive.doors.recorder.feed import RunFeed
-from executive.doors.view.access import Access, new_token
 from executive.doors.view.motion_read import recording_of
-from executive.doors.view.page_server import PageServer
-from executive.doors.view.timeline import Timeline
+from executive.doors.view.timeline import timeline_beside
 from executive.runs.run import perform
 from executive.runs.run_log import recorded_runs
 from executive.runs.run_request import RunRequest
@@ -57,25 +53,11 @@ def recorded(folder, seed, text=TEXT):
     return recording_of(run)
 
 
-@contextmanager
-def shown(run, other=None):
-    """The timeline of a run, or of two beside each other, with the port of its page."""
-    server, over = PageServer(0, Access(new_token()), "runs"), threading.Event()
-    made = Timeline(server, run, over.is_set, other, SLOW)
-    made.port = server.port
-    thread = threading.Thread(target=made.run)
-    thread.start()
-    yield made
-    over.set()
-    thread.join()
-    server.close()
-
-
 @pytest.fixture(scope="module")
 def timeline(tmp_path_factory):
     one, other = (recorded(tmp_path_factory.mktemp(f"seed_{seed}"), seed) for seed in (2, 3))
     one.pictures.append((PICTURE_S, a_picture()))
-    with shown(one, other) as made:
+    with timeline_beside(one, other, SLOW) as made:
         yield made
 
 
@@ -83,7 +65,7 @@ def timeline(tmp_path_factory):
 def failed(tmp_path_factory):
     """The page of a run in which a wait is done, and what comes after it fails."""
     run = recorded(tmp_path_factory.mktemp("failed"), 4, FAILS)
-    with shown(run) as made:
+    with timeline_beside(run, pace=SLOW) as made:
         made.run_shown = run
         yield made
 
@@ -91,7 +73,7 @@ def failed(tmp_path_factory):
 @pytest.fixture(params=[WINDOW, PHONE], ids=["window", "phone"])
 def page(chromium, timeline, request):
     made = opened(chromium, request.param)
-    made.goto(f"http://127.0.0.1:{timeline.port}/")
+    made.goto(timeline.address)
     made.get_by_text("play", exact=True).wait_for()
     made.locator("canvas[data-engine]").wait_for()
     timeline.go_to(0.0)
@@ -147,7 +129,7 @@ def test_the_cameras_picture_is_shown_where_it_looks(page, timeline):
 
 def test_a_key_goes_to_the_failure_and_the_page_tells_it(chromium, failed):
     page = opened(chromium, WINDOW)
-    page.goto(f"http://127.0.0.1:{failed.port}/")
+    page.goto(failed.address)
     page.get_by_text("next failure", exact=True).wait_for()
     page.locator("canvas[data-engine]").wait_for()
     assert page.get_by_text("no room to turn").count() == 0

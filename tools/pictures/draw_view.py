@@ -9,18 +9,14 @@ from __future__ import annotations
 
 import argparse
 import tempfile
-import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from executive.doors.view.access import Access, new_token
-from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, first_difference
-from executive.doors.view.timeline import Timeline
+from executive.doors.view.timeline import timeline_beside
 from robots.clock import WallClock
 from tools.benchmark.served.served_robot import launched, opened, served
 from tools.pictures.view_runs import MAIN_JOB, RUNS, at_the_end, recorded, refused
@@ -58,23 +54,6 @@ def draw_question(browser: Browser, target: Path, folder: Path) -> None:
         page.wait_for_timeout(_SETTLED_MS)
         page.screenshot(path=target)
         page.close()
-
-
-@contextmanager
-def shown(recording: Recording, t_s: float, other: Recording | None) -> Iterator[str]:
-    """The page of a run at a moment, while it is drawn; its address."""
-    over = threading.Event()
-    server = PageServer(0, Access(new_token()), "robot")
-    timeline = Timeline(server, recording, over.is_set, other)
-    timeline.go_to(t_s)
-    thread = threading.Thread(target=timeline.run)
-    thread.start()
-    try:
-        yield f"http://127.0.0.1:{server.port}/"
-    finally:
-        over.set()
-        thread.join()
-        server.close()
 
 
 def moments(names: list[str], folder: Path) -> Iterator[tuple[str, Recording, float, Recording | None]]:
@@ -115,8 +94,15 @@ def main() -> None:
         for name, recording, t_s, other in moments(again, Path(folder)):
             width, height = PHONE if name == "view_phone" else WINDOW
             page = browser.new_page(viewport={"width": width, "height": height})
-            with shown(recording, t_s, other) as address:
-                draw(page, address, recording.asked, arguments.folder / f"{name}.png", name == "view_dark")
+            with timeline_beside(recording, other) as timeline:
+                timeline.go_to(t_s)
+                draw(
+                    page,
+                    timeline.address,
+                    recording.asked,
+                    arguments.folder / f"{name}.png",
+                    name == "view_dark",
+                )
             page.close()
             print(f"drew {name} at {t_s:.2f} s")
         browser.close()

@@ -8,7 +8,7 @@ from types import ModuleType
 
 from executive.doors.companion import require_extra
 from executive.doors.recorder.parts import SUFFIX, MotionParts
-from executive.doors.view.access import HERE, Access, new_token
+from executive.doors.view.access import Access, new_token
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, recorded_again
 from executive.doors.view.timeline import Timeline
@@ -45,7 +45,7 @@ def show_again(
             is_same = is_same and is_other_same
         server = PageServer(port, Access(new_token()), recording.name)
         timeline = Timeline(server, recording, lambda: bool(signals), other)
-        tell(f"the page is at http://{HERE[0]}:{server.port}/. Ctrl-C ends it.")
+        tell(f"the page is at {timeline.address}. Ctrl-C ends it.")
         timeline.run()
         server.close()
     return ExitCode.DONE if is_same else ExitCode.FAILED

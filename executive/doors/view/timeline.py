@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from html import escape
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import viser
 
 from executive.doors.view import panels
+from executive.doors.view.access import HERE, Access, new_token
 from executive.doors.view.folding import Folding
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.recording import Recording, first_difference
@@ -42,6 +44,7 @@ class Timeline:
     Attributes:
         t_s: The moment that is shown.
         ends_s: The last one.
+        address: Of the page.
         difference: The first event in which two runs differ, or None.
     """
 
@@ -54,7 +57,8 @@ class Timeline:
         pace: str = _USUAL_PACE,
     ) -> None:
         self._recording, self._ended, self._wall = recording, ended, WallClock()
-        self._page = page = server.viser
+        self._page, self.address = server.viser, f"http://{HERE[0]}:{server.port}/"
+        page = self._page
         self.ends_s = max(recording.ends_s, _STEP_S if other is None else other.ends_s)
         self.difference = None if other is None else first_difference(recording, other)
         self.t_s, self._playing, self._shown_s = 0.0, False, -1.0
@@ -233,3 +237,27 @@ class _Words:
         if self._told.get(name) != content:
             self._told[name] = content
             self.handles[name].content = content
+
+
+@contextmanager
+def timeline_beside(
+    recording: Recording, other: Recording | None = None, pace: str = _USUAL_PACE
+) -> Iterator[Timeline]:
+    """The page of a run, or of two, on a free port and in a thread of its own, while something else goes on.
+
+    Args:
+        recording: The run.
+        other: Another run, at the same time; None for none.
+        pace: At which it plays until another is chosen; one of ``PACES``.
+    """
+    over = threading.Event()
+    server = PageServer(0, Access(new_token()), recording.name)
+    timeline = Timeline(server, recording, over.is_set, other, pace)
+    thread = threading.Thread(target=timeline.run)
+    thread.start()
+    try:
+        yield timeline
+    finally:
+        over.set()
+        thread.join()
+        server.close()

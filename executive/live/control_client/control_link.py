@@ -105,6 +105,7 @@ class ControlLink:
         self._felt: dict[int, Callable[[YieldReport], None]] = {}
         self._jogged: dict[int, Callable[[JogReport], None]] = {}
         self._refusals: OrderedDict[int, Callable[[str], None]] = OrderedDict()
+        self._judged_by: dict[int, int] = {}
         self._listen: Callable[[ControlEvent], None] = lambda _event: None
         self.frames: dict[str, PerceptionFrame] = {}
         self.scan: RangeScan | None = None
@@ -177,6 +178,7 @@ class ControlLink:
             else:
                 self._note_verdict({"type": "rejected", "trajectory": trajectory, "reason": reason})
 
+        self._judged_by[trajectory] = message.number
         self._when_refused(message.number, refused)
         self._say(message, document)
 
@@ -353,6 +355,8 @@ class ControlLink:
         self.reservations = tuple(map(str, values["reservations"]))
 
     def _note_verdict(self, message: Mapping[str, Any]) -> None:
+        # judged: nobody refuses the question any more, and its document, a large one, is let go
+        self._refusals.pop(self._judged_by.pop(message["trajectory"], 0), None)
         verdict: Verdict = True
         if message["type"] == "unsafe":
             verdict = Unsafe(tuple(map(finding_of, message["findings"])))

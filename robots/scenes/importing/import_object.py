@@ -19,6 +19,7 @@ from robots.scenes.importing.extra import library
 from robots.scenes.importing.mesh_file import Mesh, read_mesh
 from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import guessed_up, rests_of
+from robots.scenes.importing.seen_color import said_color, share_of_seen
 from robots.scenes.meshes.object_model import ObjectModel, model_file, model_key, write_model
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
@@ -101,9 +102,9 @@ def _guessed(mesh: Mesh, file: Path, known: dict[str, Any]) -> Guesses:
     turn = turn_of(corners @ upright(direction).T)
     take("turn_rad", turn, "its sides are along x and y then" if turn else "its sides are so already")
     take("label", label_of(file.stem), "the file's name")
-    for key in ("names", "categories"):
-        if key in known:
-            values[key] = known[key]
+    values |= {key: known[key] for key in ("names", "categories", "color") if key in known}
+    if "color" not in known and mesh.surface is not None and (color := said_color(mesh.surface)) is not None:
+        take("color", color[0], share_of_seen(color[1]))
     hull_m3 = volume(corners)
     mass_kg = min(max(DENSITY_KG_M3 * hull_m3, LIGHTEST_KG), HEAVIEST_KG)
     take("mass_kg", round(mass_kg, 3), f"{DENSITY_KG_M3:g} kg/m3 of its hull, {1000 * hull_m3:.2f} litres")

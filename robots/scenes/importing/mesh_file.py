@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, Sealed
 from robots.errors import CannotImportError
 from robots.scenes.importing.extra import library
+from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface
 
 ENDINGS = (".obj", ".stl", ".glb", ".gltf", ".ply", ".msh")
 MOST_FACES = 2_000_000
@@ -31,6 +32,7 @@ class Mesh(Sealed):
         on_picture: Where each vertex is on the picture, shape (n, 2); None without one.
         picture: PNG; empty without one.
         color: Red, green, blue in [0, 1].
+        surface: What is seen of it; None where the file says nothing of colours.
         digest: Of the file.
     """
 
@@ -39,6 +41,7 @@ class Mesh(Sealed):
     on_picture: Array | None
     picture: bytes
     color: tuple[float, float, float]
+    surface: Surface | None
     digest: str
 
 
@@ -67,8 +70,13 @@ def read_mesh(file: Path) -> Mesh:
     vertices = np.asarray(found.vertices, np.float64)
     if not np.isfinite(vertices).all() or np.ptp(vertices, axis=0).max() <= _SHEET:
         raise CannotImportError(f"{file}: its points are no numbers, or all at one place")
-    on_picture, picture, color = _looks(found.visual)
-    return Mesh(vertices, faces, on_picture, picture, color, hashlib.sha256(content).hexdigest())
+    uv, picture, color = _looks(found.visual)
+    surface = None
+    if picture and uv is not None:
+        surface = seen_surface(vertices, faces, on_picture(picture, uv[faces].mean(axis=1)))
+    elif found.visual.defined:
+        surface = seen_surface(vertices, faces, _face_colors(found.visual))
+    return Mesh(vertices, faces, uv, picture, color, surface, hashlib.sha256(content).hexdigest())
 
 
 def _triangles(trimesh: Any, file: Path) -> Any:
@@ -81,6 +89,12 @@ def _triangles(trimesh: Any, file: Path) -> Any:
         only.apply_transform(transform)
         return only
     return loaded.to_mesh()
+
+
+def _face_colors(visual: Any) -> Array:
+    """Of each triangle, or of all of them, red, green and blue in [0, 1]."""
+    plain = visual.to_color() if hasattr(visual, "to_color") else visual
+    return np.asarray(plain.face_colors, np.float64)[:, :3] / 255.0
 
 
 def _looks(visual: Any) -> tuple[Array | None, bytes, tuple[float, float, float]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from robots.errors import SceneError
@@ -18,6 +18,7 @@ from robots.scenes.meshes.object_model import (
 from robots.scenes.meshes.sidecar import Sidecar, read_sidecar, sidecar_file
 from robots.scenes.meshes.up_axis import name_of
 from robots.scenes.scene_document import MeshTable
+from robots.scenes.scene_words import COLORS
 from robots.scenes.usual_properties import HEAVIEST_KG, LIGHTEST_KG, inside_m3
 
 
@@ -29,7 +30,7 @@ class MeshThing:
         file: The mesh.
         model: What was made of it, as large as the scene says.
         name: Of the thing in the scene.
-        kind, names, categories: What it is called.
+        kind, color, names, categories: What it is called.
         mass_kg, friction: Of the whole.
     """
 
@@ -37,6 +38,7 @@ class MeshThing:
     model: ObjectModel
     name: str
     kind: str
+    color: str | None
     names: tuple[str, ...]
     categories: tuple[str, ...]
     mass_kg: float
@@ -78,14 +80,17 @@ def mesh_thing(table: MeshTable, source: str, fail: Callable[[str, str], SceneEr
     factor = 1.0 if table.scale is None else table.scale / sidecar.scale
     label = table.label or sidecar.label
     names = (label, *(table.names or sidecar.names))
+    scaled = model.scaled(factor)
+    drawn = scaled if table.color is None else replace(scaled, color=COLORS.get(table.color, scaled.color))
     return MeshThing(
         file=str(file),
-        model=model.scaled(factor),
+        model=drawn,
         name=table.name or label,
         kind=table.kind or label.split()[-1],
+        color=table.color or sidecar.color,
         names=tuple(dict.fromkeys(name for name in names if name != table.kind)),
         categories=table.categories or sidecar.categories,
-        mass_kg=_mass_kg(table, sidecar, model.scaled(factor), factor),
+        mass_kg=_mass_kg(table, sidecar, scaled, factor),
         friction=sidecar.friction if table.friction is None else table.friction,
     )
 

@@ -25,6 +25,7 @@ ENDING = ".model"
 VERSION = 1
 """Of the way in which objects are made: another one makes others of the same mesh."""
 _SAME = 1e-9
+GREY = (0.6, 0.6, 0.6)
 
 
 class NoModelError(ValueError):
@@ -49,7 +50,7 @@ class ObjectModel(Sealed):
     faces: NDArray[np.int32]
     on_picture: Array | None = None
     picture: bytes = b""
-    color: tuple[float, float, float] = (0.6, 0.6, 0.6)
+    color: tuple[float, float, float] = GREY
 
     @property
     def parts(self) -> ConvexParts:

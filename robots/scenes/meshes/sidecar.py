@@ -41,6 +41,7 @@ class SidecarDraft(StrictTable):
         turn_rad: How far it is turned about that, so that its sides are along x and y.
         label: What it is called.
         names, categories: What it is called besides, and what it belongs to.
+        color: What colour people say that it has; none where they would not.
         mass_kg: How heavy it is.
         friction: Of its surface.
         measured: What came out; for people to read.
@@ -52,6 +53,7 @@ class SidecarDraft(StrictTable):
     label: Text | None = None
     names: Texts = ()
     categories: Texts = ()
+    color: Text | None = None
     mass_kg: FiniteFloat | None = None
     friction: FiniteFloat = 0.6
     measured: dict[str, Any] = Field(default_factory=dict)

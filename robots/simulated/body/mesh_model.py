@@ -57,17 +57,14 @@ def add_mesh_object(
             group=HULL_GROUP,
         )
         set_role(geom, Role.OBJECT)
-    _add_looks(spec, body, f"{name}/looks", item, model)
+    _add_looks(spec, body, f"{name}/looks", model)
 
 
-def _add_looks(
-    spec: mujoco.MjSpec, body: mujoco.MjsBody, name: str, item: SceneItem, model: ObjectModel
-) -> None:
+def _add_looks(spec: mujoco.MjSpec, body: mujoco.MjsBody, name: str, model: ObjectModel) -> None:
     """What is seen of it, which touches nothing."""
     mesh = spec.add_mesh(name=name)
     mesh.uservert, mesh.userface = model.vertices.ravel(), model.faces.ravel()
     mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-    rgba = [*(model.color if item.color is None else COLORS[item.color]), 1.0]
     geom = body.add_geom(
         name=name,
         type=mujoco.mjtGeom.mjGEOM_MESH,
@@ -75,7 +72,7 @@ def _add_looks(
         mass=0.0,
         contype=0,
         conaffinity=0,
-        rgba=rgba,
+        rgba=[*model.color, 1.0],
         group=WORLD_GROUP,
     )
     if model.on_picture is None:

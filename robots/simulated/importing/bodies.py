@@ -114,7 +114,7 @@ class Foreign:
         return vertices, np.asarray(self.model.mesh_face[first : first + count], np.int64)
 
     def color(self, geom: int) -> tuple[float, float, float]:
-        """Red, green, blue in [0, 1]; of what has a picture, its mean."""
+        """Red, green, blue in [0, 1]; of what has a picture, what it is multiplied by."""
         material = int(self.model.geom_matid[geom])
         rgba = self.model.geom_rgba[geom] if material < 0 else self.model.mat_rgba[material]
         red, green, blue = (float(value) for value in rgba[:3])

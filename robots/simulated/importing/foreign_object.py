@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from kinematics.arrays import Array, Indices, Sealed
+from kinematics.arrays import Array, Sealed
 from kinematics.formats.solid_document import MAX_PARTS
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
@@ -17,8 +17,10 @@ from robots.scenes.importing.convex import of_few_corners, surface_of, volume
 from robots.scenes.importing.extra import library
 from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import rests_of
-from robots.scenes.meshes.object_model import ObjectModel
+from robots.scenes.importing.seen_color import said_color, seen_surface
+from robots.scenes.meshes.object_model import GREY, ObjectModel
 from robots.simulated.importing.bodies import Foreign
+from robots.simulated.importing.foreign_looks import Looks, looks_of
 
 _FLAT_M = 3e-4
 
@@ -30,11 +32,13 @@ class ForeignObject(Sealed):
     Attributes:
         model: What is made of it.
         world_T_object: Where it is, upright, shape (4, 4).
+        color: What colour people say that it has, and of what share of it; None where they would not.
         left_out: How many solids were too many or too flat.
     """
 
     model: ObjectModel
     world_T_object: Transform
+    color: tuple[str, float] | None
     left_out: int
 
 
@@ -59,10 +63,11 @@ def foreign_object(
     turn = turn_of(np.concatenate(hulls))
     about = poses.rotation_z(turn)
     to_own = about @ stands
+    seen = _seen(foreign, bodies, [hull @ stands for hull in hulls])
     hulls = [hull @ about.T for hull in hulls]
     fit = fitted(np.concatenate(hulls))
     hulls = [hull - fit.centre for hull in hulls]
-    vertices, faces, color = _seen(foreign, bodies, hulls, to_own, fit.centre)
+    vertices = seen.vertices @ to_own.T - fit.centre
     corners = np.concatenate(hulls)
     middle = np.average([hull.mean(axis=0) for hull in hulls], axis=0, weights=[volume(h) for h in hulls])
     surface, normals = surface_of(hulls)
@@ -75,9 +80,16 @@ def foreign_object(
         rests=rests_of(corners, middle).up,
         outline_error_m=fit.error_m,
     )
-    model = ObjectModel(replace(fit.outline, parts=parts), vertices, faces.astype(np.int32), color=color)
+    model = ObjectModel(
+        replace(fit.outline, parts=parts),
+        vertices,
+        seen.faces.astype(np.int32),
+        seen.on_picture,
+        seen.picture,
+        seen.surface.mean if seen.surface.areas.any() else GREY,
+    )
     place = poses.transform(to_own.T, to_own.T @ fit.centre)
-    return ForeignObject(model, place, len(clouds) - len(hulls))
+    return ForeignObject(model, place, said_color(seen.surface), len(clouds) - len(hulls))
 
 
 def _box_about(corners: Array) -> Array:
@@ -94,25 +106,16 @@ def _is_solid(cloud: Array) -> bool:
     return bool(np.ptp(off @ np.linalg.svd(off, full_matrices=False)[2][2]) > _FLAT_M)
 
 
-def _seen(
-    foreign: Foreign, bodies: Sequence[int], hulls: Sequence[Array], to_own: Array, centre: Array
-) -> tuple[Array, Indices, tuple[float, float, float]]:
-    """What is seen of it, in its own frame; its parts, where nothing else is."""
-    vertices, faces, count = [], [], 0
-    color = (0.6, 0.6, 0.6)
-    for geom in foreign.geoms(bodies, colliding=False):
-        points, triangles = foreign.triangles(geom)
-        if len(triangles):
-            vertices.append(points @ to_own.T - centre)
-            faces.append(triangles + count)
-            count += len(points)
-            color = foreign.color(geom)
-    if not vertices:
-        for hull in hulls:
-            mesh = library("trimesh").convex.convex_hull(hull)
-            vertices.append(np.asarray(mesh.vertices))
-            faces.append(np.asarray(mesh.faces, np.int64) + count)
-            count += len(mesh.vertices)
-        solid = foreign.solid_geoms(bodies)
-        color = foreign.color(solid[0])
-    return np.concatenate(vertices), np.concatenate(faces), color
+def _seen(foreign: Foreign, bodies: Sequence[int], hulls: Sequence[Array]) -> Looks:
+    """What is seen of it, in the world; its parts as they are given, where nothing else is."""
+    looks = looks_of(foreign, foreign.geoms(bodies, colliding=False))
+    if looks is not None:
+        return looks
+    meshes = [library("trimesh").convex.convex_hull(hull) for hull in hulls]
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    vertices = np.concatenate([np.asarray(mesh.vertices) for mesh in meshes])
+    faces = np.concatenate(
+        [np.asarray(mesh.faces, np.int64) + start for mesh, start in zip(meshes, starts, strict=False)]
+    )
+    color = np.array(foreign.color(foreign.solid_geoms(bodies)[0]))
+    return Looks(vertices, faces, seen_surface(vertices, faces, color))

@@ -12,6 +12,7 @@ from robots.errors import CannotImportError
 from robots.scenes.importing.convex import of_few_corners
 from robots.scenes.importing.import_object import Imported, label_of
 from robots.scenes.importing.resting import guessed_up
+from robots.scenes.importing.seen_color import share_of_seen
 from robots.scenes.meshes.object_model import digest_of, model_file, model_key, write_model
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
@@ -58,8 +59,10 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
         values[key] = name_of(up) if key == "up" else known.get(key, value)
         if values[key] == value:
             reasons[key] = reason
-    values |= {key: known[key] for key in ("names", "categories") if key in known}
+    values |= {key: known[key] for key in ("names", "categories", "color") if key in known}
     made = foreign_object(foreign, bodies, upright(up), model_key(digest_of(file), 1.0, up, 0.0))
+    if made.color is not None and "color" not in known:
+        values["color"], reasons["color"] = made.color[0], share_of_seen(made.color[1])
     outline, parts = made.model.outline, made.model.parts
     measured = {
         "size_m": [round(float(value), 4) for value in np.ptp(parts.corners, axis=0)],

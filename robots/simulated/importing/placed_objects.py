@@ -12,6 +12,7 @@ import numpy as np
 
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
+from robots.scenes.importing.seen_color import share_of_seen
 from robots.scenes.meshes.object_model import model_file, write_model
 from robots.scenes.meshes.sidecar import Guesses, sidecar_file, sidecar_text
 from robots.simulated.importing.foreign_object import ForeignObject, foreign_object
@@ -90,6 +91,7 @@ def _placed(
         "falls_m": round(foot - top, 4),
         "mass_kg": mass,
         "parts": len(made.model.parts.ends),
+        **({} if made.color is None else {"color": made.color[0]}),
     }
     if on is None:
         return Placed(name, None, f"stands on nothing that is known, its foot at {foot:.2f} m", guess)
@@ -106,8 +108,10 @@ def _placed(
 def _write(found: Inventory, thing: FoundObject, made: ForeignObject, file: Path, mass: float) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
     write_model(made.model, model_file(file))
-    values = {"scale": 1.0, "up": "+z", "label": thing.label, "mass_kg": mass}
+    values: dict[str, Any] = {"scale": 1.0, "up": "+z", "label": thing.label, "mass_kg": mass}
     reasons = {"up": "as it stands there", "label": f"the body {found.foreign.name(thing.body)!r}"}
+    if made.color is not None:
+        values["color"], reasons["color"] = made.color[0], share_of_seen(made.color[1])
     if mass > thing.mass_kg:
         reasons["mass_kg"] = f"it says {thing.mass_kg:.4g}"
     measured = {"parts": len(made.model.parts.ends), "solids_left_out": made.left_out}

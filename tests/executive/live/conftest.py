@@ -88,10 +88,10 @@ class Executive:
         for _ in range(10 * count):
             self.steps.step()
 
-    def admitted(self, checked):
+    def admitted(self, checked, document="{}"):
         """A trajectory that both sides let pass."""
         job = self.planning.check(CheckRequest(checked.trajectory, PlanningScene()))
-        self.worker.answer(Planned(checked, 0.1, "{}"))
+        self.worker.answer(Planned(checked, 0.1, document))
         for _ in range(20):
             if job.done:
                 return job.result()

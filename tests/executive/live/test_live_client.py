@@ -1,6 +1,8 @@
 """The executive's side of the socket, against a real control server on a robot without physics."""
 
 import dataclasses
+import gc
+import weakref
 
 import numpy as np
 import pytest
@@ -33,6 +35,24 @@ def test_a_motion_that_only_this_side_checked_is_refused(executive, talos):
     handle = executive.motion.start(swing(talos, executive.motion.reference()))
 
     assert handle.status is MotionStatus.REFUSED
+
+
+class Document(str):
+    """One whose end can be seen."""
+
+
+@pytest.mark.parametrize("verdict", [None, Unsafe((Finding(FindingKind.BALANCE, 0.1, ("CoM",), 0.0, 0.02),))])
+def test_the_document_of_a_trajectory_is_let_go_once_it_is_judged(executive, talos, verdict):
+    executive.far.checker.answer = verdict or executive.far.checker.answer
+    document = Document("{}")
+    kept = weakref.ref(document)
+
+    executive.admitted(swing(talos, executive.motion.reference()), document)
+    executive.worker.futures.clear()
+    del document
+    gc.collect()
+
+    assert kept() is None
 
 
 @pytest.mark.requirement("S6")

@@ -6,7 +6,6 @@ A real browser draws it: Debian's Chromium under Playwright. The robot is served
 from __future__ import annotations
 
 import tempfile
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,7 +19,7 @@ from executive.doors.view.browser import Browser
 from executive.doors.view.motion_read import recording_of
 from executive.doors.view.page_server import PageServer
 from executive.doors.view.seen import Seen
-from executive.doors.view.timeline import Timeline
+from executive.doors.view.timeline import timeline_beside
 from executive.doors.view.viewer import DRAWN_EVERY_S
 from executive.live.caller.caller import ask_at
 from executive.runs.run import perform
@@ -135,20 +134,13 @@ def _scrubbing(chromium: Chromium, folder: Path, wall: WallClock, seconds: float
     perform(request, feed, on_assembly=feed.begin, on_record=feed.record)
     feed.close()
     (run,) = recorded_runs(runs)
-    recording, over = recording_of(run), threading.Event()
-    server = PageServer(0, Access(new_token()), "run")
-    timeline = Timeline(server, recording, over.is_set)
-    thread = threading.Thread(target=timeline.run)
-    thread.start()
+    with timeline_beside(recording_of(run)) as timeline:
 
-    def step(number: int) -> None:
-        timeline.go_to(_STEP_S * number % recording.ends_s)
-        wall.sleep(LOOK_S)
+        def step(number: int) -> None:
+            timeline.go_to(_STEP_S * number % timeline.ends_s)
+            wall.sleep(LOOK_S)
 
-    rates = _shown_a_second(chromium, server.port, _TIME, step, wall)
-    over.set()
-    thread.join()
-    server.close()
+        rates = _shown_a_second(chromium, timeline.address, _TIME, step, wall)
     return figure("moments shown a second while scrubbed", rates)
 
 
@@ -169,7 +161,7 @@ def _tree(chromium: Chromium, wall: WallClock) -> Figure:
             browser.show(seen)
         wall.sleep(DRAWN_EVERY_S)
 
-    rates = _shown_a_second(chromium, server.port, _UPDATE, step, wall)
+    rates = _shown_a_second(chromium, f"http://127.0.0.1:{server.port}/", _UPDATE, step, wall)
     server.close()
     return figure(f"updates shown a second of a tree of {_NODES} nodes", rates)
 
@@ -187,11 +179,11 @@ def _nodes(number: int) -> Sequence[Mapping[str, Any]]:
 
 
 def _shown_a_second(
-    chromium: Chromium, port: int, pattern: str, step: Callable[[int], None], wall: WallClock
+    chromium: Chromium, address: str, pattern: str, step: Callable[[int], None], wall: WallClock
 ) -> list[float]:
     """How often in a second what a pattern finds in a page has changed, while steps are taken."""
     page = chromium.new_page(viewport={"width": 1280, "height": 800})
-    page.goto(f"http://127.0.0.1:{port}/")
+    page.goto(address)
     page.locator("canvas[data-engine]").wait_for()
     page.evaluate(_COUNT, pattern)
     rates, steps = [], 0

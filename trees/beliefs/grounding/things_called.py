@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from trees.beliefs.grounding.unmatched import NoneFitsError, UntellableError
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.beliefs.scene.held_object import is_like
-from trees.beliefs.scene.labels import CalledBy, called_by
+from trees.beliefs.scene.labels import CalledBy, called_by, is_of_color
 from trees.beliefs.scene.scene_update import kind_of
 from trees.tasks import ObjectDescription
 
@@ -31,7 +31,7 @@ def things_called(
     by = {
         thing.name: rank
         for thing in around.objects
-        if wanted.color in (None, thing.color)
+        if is_of_color(wanted.color, wanted.kind, thing.label)
         if (rank := called_by(wanted.kind, thing.label)) is not None
     }
     rank = min(by.values(), default=None)

@@ -10,7 +10,7 @@ from kinematics.geometry.shapes import Shape
 from kinematics.model.robot_description import Hand
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import SceneObject
-from trees.beliefs.scene.labels import CalledBy, called_by, label_in, label_of
+from trees.beliefs.scene.labels import CalledBy, called_by, is_of_color, label_in, label_of
 from trees.tasks import ObjectDescription, Thing
 
 
@@ -55,4 +55,4 @@ def fits(item: SceneObject, wanted: Thing | None) -> bool:
 def is_like(wanted: ObjectDescription, label: Label) -> bool:
     """Whether what is called so is of the kind and colour that is meant."""
     by = called_by(wanted.kind, label)
-    return by is not None and by < CalledBy.MAYBE and wanted.color in (None, label.color)
+    return by is not None and by < CalledBy.MAYBE and is_of_color(wanted.color, wanted.kind, label)

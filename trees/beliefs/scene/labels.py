@@ -76,6 +76,24 @@ def called_by(said: str | None, label: Label) -> CalledBy | None:
     return CalledBy.HEAD if any(_ends(words, head) for head in heads) else None
 
 
+def is_of_color(color: str | None, said: str | None, label: Label) -> bool:
+    """Whether a thing is of a colour that somebody says: the one that is seen.
+
+    Where none could be told, as of a thing of several colours, what its own name says counts: a "black bowl"
+    is the "akita black bowl".
+
+    Args:
+        color: None means any.
+        said: The noun phrase behind it, as for ``called_by``.
+        label: What the thing is called.
+    """
+    if color in (None, label.color):
+        return True
+    if label.color is not None or said is None:
+        return False
+    return called_by(f"{color} {said}", label) in (CalledBy.NAME, CalledBy.KIND)
+
+
 def can_be_told(said: str, labels: Collection[str]) -> bool:
     """Whether something that is called so could be found by a detector that tells some words.
 

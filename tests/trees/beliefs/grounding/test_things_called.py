@@ -155,3 +155,21 @@ def test_a_name_that_nobody_is_sure_of_is_asked_about():
 
     assert isinstance(found, Ambiguous)
     assert found.message == "I am not sure: is the blue can the tomato soup?"
+
+
+@pytest.mark.parametrize(
+    ("seen", "names", "found"),
+    [
+        (None, ("akita black bowl",), True),
+        ("black", ("akita bowl",), True),
+        ("white", ("akita black bowl",), False),
+        (None, ("akita bowl",), False),
+        (None, ("black akita bowl",), False),
+    ],
+)
+def test_a_colour_is_the_one_that_is_seen_and_of_what_has_none_the_one_that_its_name_says(seen, names, found):
+    things = around(it=Label("bowl", seen, names), other=Label("bowl", "red"))
+
+    meant = ground(ObjectDescription("bowl", "black"), things)
+
+    assert meant == Found(("it",)) if found else isinstance(meant, Missing)
