@@ -79,6 +79,9 @@ def zmp_that_leads(
 ) -> Point:
     """The point for which some stretches lead from one DCM to another.
 
+    From one that is so far away that no point counts beside it (the robot lies on the floor) none does: then
+    it is where they are to lead.
+
     Args:
         through: Stretches for a point; each coordinate of their ZMP is linear in that of the point.
         dcm_now, dcm_end: At their beginning and their end.
@@ -86,6 +89,8 @@ def zmp_that_leads(
     """
     x0, y0 = dcm_after(through((0.0, 0.0)), dcm_now, omega)
     x1, y1 = dcm_after(through((1.0, 1.0)), dcm_now, omega)
+    if x1 == x0 or y1 == y0:
+        return dcm_end
     return (dcm_end[0] - x0) / (x1 - x0), (dcm_end[1] - y0) / (y1 - y0)
 
 

@@ -57,7 +57,7 @@ _KINDS = ("cup", "bottle", "can", "box")
 _PEOPLE = ("Ana", "Charlie", "Robin", "Simone")
 _GARMENTS = ("shirt", "trousers", "jacket")
 _APART_M = 0.17
-_CLEAR_M = 0.9
+_CLEAR_M = 1.2
 """Around where the robot begins."""
 _DRAWS = 200
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from kinematics.requests.move import MoveRequest
-from kinematics.walking.route.room import WalkingRoom
 from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf, move_from_here
 from trees.nodes.ports import ports
 from trees.skills.walking.empty_arms import are_at, home_joints, tucked_joints
-from trees.skills.walking.walking_leaf import without_held
+from trees.skills.walking.walking_leaf import hands_have_room
 from trees.toolbox import Toolbox
 
 
@@ -45,18 +44,12 @@ class DrawArmsIn(PlannedMotionLeaf):
             return Failure.infeasible(f"{toolbox.model.description.name} has no arm to draw in")
         if are_at(toolbox, joints):
             return None
-        if self._out and (barred := self._bars_hands()):
-            return Failure.infeasible(barred)
+        if self._out:
+            room = hands_have_room(toolbox)
+            if room is None:
+                return Failure.infeasible(
+                    "the range sensor does not tell whether the hands have room to come out"
+                )
+            if not room:
+                return Failure.infeasible("the hands have no room to come out again")
         return move_from_here(toolbox, joints, keep_others=True)
-
-    def _bars_hands(self) -> str:
-        """Why the hands cannot come out: somebody may stand there unknown. Empty when they can."""
-        toolbox, settings = self.toolbox, self.toolbox.model.description.walking
-        if toolbox.ranging is None or settings is None:
-            return ""
-        scan = toolbox.ranging.scan()
-        if scan is None:
-            return "the range sensor does not tell whether the hands have room to come out"
-        if WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is not None:
-            return "the hands have no room to come out again"
-        return ""

@@ -22,6 +22,7 @@ from trees.nodes.planned_motion_leaf import move_from_here
 from trees.nodes.ports import ports
 from trees.readings.held import held_object
 from trees.skills.walking.empty_arms import are_at, arms_are_tucked, home_joints, tucked_joints
+from trees.skills.walking.walking_leaf import hands_have_room
 from trees.toolbox import Toolbox
 
 _LEVEL_RAD = 0.035
@@ -79,7 +80,11 @@ class ReadyToWalk(GoHome):
             return None
         held = held_object(toolbox, None, None)
         if isinstance(held, Failure):
-            return super().goal() if self._barred is None else self._drawn_in()
+            if self._barred is not None:
+                return self._drawn_in()
+            if arms_are_tucked(toolbox) and hands_have_room(toolbox) is False:
+                return None if self._stands_tall(toolbox.motion.reference()) else self._drawn_in()
+            return super().goal()
         if self._carries(held):
             return None
         return CarryRequest(

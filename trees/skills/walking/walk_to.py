@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
+import numpy as np
 from py_trees.common import Status
 
 from kinematics.arrays import Array
@@ -191,9 +192,25 @@ class WalkTo(WalkingLeaf):
             back_m = share * (lack_m + _BEYOND_M)
             back = StretchSteering(settings, body, -_BACK_M_S, back_m)
             left_m = room.tightest(scene, body @ PlanarPose(-back_m), at_ease=True).lack_m
-            if max(left_m, 0.0) < least_m and not room.hands_meet(scene, foreseen(back, body), beside_m):
+            way = foreseen(back, body)
+            free = not room.hands_meet(scene, way, beside_m) and not self._comes_to_seen(settings, room, way)
+            if max(left_m, 0.0) < least_m and free:
                 best, least_m = back, max(left_m, 0.0)
         return best
+
+    def _comes_to_seen(self, settings: WalkingSettings, room: WalkingRoom, way: Sequence[PlanarPose]) -> bool:
+        """Whether hands or legs come to something on a way that was seen, and that nobody knows.
+
+        Somebody may stand there whom the eyes have not met. What the legs are beside already is left out.
+        """
+        scene, here = self.toolbox.world.scene, way[0]
+        tall = self._seen.beside(footprints(scene), settings.hands_from_m)
+        beside_m = next((m for m in BESIDE_TUCKED_M if not room.hands_meet_seen(tall, way[:1], m)), None)
+        if beside_m is None or room.hands_meet_seen(tall, way, beside_m):
+            return True
+        points, legs_m = self._seen.beside(footprints(scene)), settings.legs_radius_m + settings.sway_m
+        away_m = np.hypot(points[:, 0] - here.x_m, points[:, 1] - here.y_m)
+        return blocked(way, points[away_m > legs_m], legs_m)
 
     def _way(
         self,

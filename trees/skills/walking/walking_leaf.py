@@ -11,6 +11,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.walking_settings import WalkingSettings
 from kinematics.walking.pattern.steering import Steering
+from kinematics.walking.route.room import WalkingRoom
 from robots.control.motion_handle import MotionHandle
 from trees.failures import Failure, Reason
 from trees.nodes.leaf import DONE, RUNNING, Leaf
@@ -71,6 +72,20 @@ def without_held(toolbox: Toolbox, scan: Array) -> Array:
         level_with = np.abs(scan[:, 2] - z) <= 0.5 * shape.height_m + _AROUND_M
         scan = scan[~(beside & level_with)]
     return scan
+
+
+def hands_have_room(toolbox: Toolbox) -> bool | None:
+    """Whether drawn-in hands have room to come out here: somebody may stand there unknown.
+
+    None where the range sensor does not tell; a robot without one has to believe it.
+    """
+    settings = toolbox.model.description.walking
+    if toolbox.ranging is None or settings is None:
+        return True
+    scan = toolbox.ranging.scan()
+    if scan is None:
+        return None
+    return WalkingRoom(settings).turn_meets(without_held(toolbox, scan), 0.0) is None
 
 
 class ScannedWalk(WalkingLeaf):

@@ -88,3 +88,11 @@ def test_a_pose_seen_from_itself_is_nowhere(x, y, yaw):
 
     back = pose @ pose.inverse()
     assert (back.x_m, back.y_m, back.yaw_rad) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("far_m", [1e15, 1e18, -1e30])
+def test_from_a_dcm_that_is_lost_a_point_is_told_all_the_same(far_m):
+    def through(knot):
+        return [ZmpStretch(0.3, knot, knot)]
+
+    assert np.isfinite(zmp_that_leads(through, (far_m, 0.0), (0.1, 0.2), OMEGA)).all()

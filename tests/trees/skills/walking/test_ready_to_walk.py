@@ -39,3 +39,19 @@ def test_who_only_has_to_be_upright_keeps_the_arms_where_they_are(stage, lean_ra
 
     assert stage.run(ReadyToWalk("ready", stage.toolbox, only_if_it_leans=True)) is Status.SUCCESS
     assert bool(stage.fake.motion.started) is moves
+
+
+@pytest.mark.requirement("S2")
+@pytest.mark.parametrize(("point_m", "come_out"), [((0.35, 0.3, 1.0), False), ((0.9, 0.3, 1.0), True)])
+@pytest.mark.parametrize("lean_rad", [0.0, 0.12])
+def test_drawn_in_arms_stay_in_where_the_range_sensor_sees_something_beside(
+    stage_with, point_m, come_out, lean_rad
+):
+    stage = stage_with(walks=True)
+    assert stage.run(DrawArmsIn("in", stage.toolbox)) is Status.SUCCESS
+    stage.fake.motion._q[3:7] = (0.0, np.sin(0.5 * lean_rad), 0.0, np.cos(0.5 * lean_rad))
+    stage.fake.ranging.points_m = np.array([point_m])
+
+    assert stage.run(ReadyToWalk("ready", stage.toolbox)) is Status.SUCCESS
+    assert arms_are_tucked(stage.toolbox) is not come_out
+    assert abs(stage.fake.motion.reference()[4]) < 1e-3

@@ -120,6 +120,25 @@ def test_the_robot_steps_back_to_turn_only_where_its_hands_come_to_nothing(stage
     assert isinstance(feet.asked[0], StretchSteering) is back
 
 
+@pytest.mark.parametrize(
+    ("behind_m", "aside_m", "high_m", "back"),
+    [(0.36, 0.75, 1.4, False), (0.36, 0.75, 0.6, True), (0.36, 1.2, 1.4, True), (0.45, 0.1, 0.1, False)],
+)
+def test_the_robot_steps_back_into_nothing_that_only_its_range_sensor_has_seen(
+    stage, behind_m, aside_m, high_m, back
+):
+    ahead = SceneObject("table", Box((0.4, 0.4, 0.8)), poses.translation(0.6, 0.0, 0.4), movable=False)
+    stage.told.update(stage.told.scene.with_objects([ahead]))
+    feet, sensor = FeetThatSetOut(), FakeRangeSensor()
+    sensor.points_m = np.array([(-behind_m, aside_m, z) for z in np.arange(0.1, high_m + 0.01, 0.1)])
+    place = Place("counter", "furniture", Box((0.4, 0.4, 0.9)), poses.translation(0.0, 3.0, 0.45), 0.9)
+    leaf = WalkTo("walk", dataclasses.replace(stage.toolbox, walking=feet, ranging=sensor))
+    stage.ready(leaf, place=place)
+    stage.tick(leaf)
+
+    assert any(isinstance(one, StretchSteering) for one in feet.asked) is back
+
+
 @pytest.mark.parametrize(("tip_m", "back"), [(0.02, True), (-0.02, False)])
 def test_a_door_beside_drawn_in_hands_is_stepped_back_from(stage, tip_m, back):
     assert stage.run(DrawArmsIn("draw the arms in", stage.toolbox)) is Status.SUCCESS
