@@ -59,6 +59,8 @@ _GARMENTS = ("shirt", "trousers", "jacket")
 _APART_M = 0.17
 _CLEAR_M = 1.2
 """Around where the robot begins."""
+_NEARER_M, _TURNED_RAD = 0.4, 0.5
+"""Who gives the command is so much nearer than anybody else, and about in front of the robot."""
 _DRAWS = 200
 
 
@@ -78,15 +80,33 @@ def arena(rng: np.random.Generator) -> Arena:
     """
     for _ in range(_DRAWS):
         drawn = _drawn(rng)
-        start = (drawn.robot_start.x_m, drawn.robot_start.y_m)
-        if any(math.dist(one.position_m, start) < _CLEAR_M for one in drawn.people):
-            continue  # arms at home would touch whoever stands there
+        start = drawn.robot_start
+        nearest_m, second_m, *_ = sorted(_from_start_m(drawn, person) for person in drawn.people)
+        if nearest_m < _CLEAR_M or second_m < nearest_m + _NEARER_M:
+            continue  # arms at home would touch whoever stands there; two may be who speaks
+        drawn = dataclasses.replace(drawn, robot_start=_before(speaker_in(drawn), start, rng))
         try:
             scene = read_scene(dump(drawn), "arena", "arena")
         except SceneError:
             continue
         return Arena(scene, _words(scene))
     raise RuntimeError("no arena could be drawn")
+
+
+def speaker_in(scene: SceneDescription) -> Person:
+    """Who gives the commands: the person nearest to the robot at the beginning."""
+    return min(scene.people, key=lambda person: _from_start_m(scene, person))
+
+
+def _from_start_m(scene: SceneDescription, person: Person) -> float:
+    return math.dist(person.position_m, (scene.robot_start.x_m, scene.robot_start.y_m))
+
+
+def _before(person: Person, start: RobotStart, rng: np.random.Generator) -> RobotStart:
+    """The same start, turned about towards somebody."""
+    x, y = person.position_m
+    yaw = math.atan2(y - start.y_m, x - start.x_m) + float(rng.uniform(-_TURNED_RAD, _TURNED_RAD))
+    return dataclasses.replace(start, yaw_rad=math.remainder(yaw, 2.0 * math.pi))
 
 
 def _drawn(rng: np.random.Generator) -> SceneDescription:
@@ -98,8 +118,8 @@ def _drawn(rng: np.random.Generator) -> SceneDescription:
         for side, (called, kind) in zip((-1.0, 1.0), _PIECES[name], strict=True):
             pieces.append(_piece(called, kind, middle, side, rng))
     carriers = [piece for piece in pieces if piece.kind != "wall"]
-    x, y, yaw = (float(value) for value in rng.uniform((-0.4, -0.3, -3.0), (0.4, 0.3, 3.0)))
-    start = RobotStart(x, y, yaw)
+    x, y = (float(value) for value in rng.uniform((-0.4, -0.3), (0.4, 0.3)))
+    start = RobotStart(x, y, 0.0)
     return SceneDescription(
         "arena",
         start,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from tools.evaluate.gpsr.arena import arena
+from tools.evaluate.gpsr.arena import arena, speaker_in
 from tools.evaluate.gpsr.field_commands import ANY_ARENA, Drawn, FieldCommand, FieldWords
 from tools.evaluate.skills.suite import Trial
 
@@ -36,8 +35,7 @@ class CommandTrial(Trial):
     @property
     def speaker(self) -> str:
         """Who gives the command: the person nearest to the robot at the beginning."""
-        start = (self.scene.robot_start.x_m, self.scene.robot_start.y_m)
-        return min(self.scene.people, key=lambda one: math.dist(start, one.position_m)).name
+        return speaker_in(self.scene).name
 
 
 def command_trial(rng: np.random.Generator) -> CommandTrial:

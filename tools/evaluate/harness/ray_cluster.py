@@ -36,6 +36,8 @@ _PACKAGES = ("kinematics", "robots", "trees", "executive", "tools")
 _STORE_BYTES = 100_000_000
 """Records are small: what Ray would take for its object store is the simulators'."""
 _QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_DEDUP_LOGS": "0", "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0"}
+_FRUGAL = {"MALLOC_ARENA_MAX": "1"}
+"""A worker has some ten threads of Ray's, each of which would keep memory of its own."""
 _LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0"}
 """Without it Ray takes 127.0.0.1 for a wish to be reached from elsewhere, and listens to every network."""
 _NO_RAY = "--ray needs the extra [cluster]: pip install 'humanoid-executive[cluster]'"
@@ -101,7 +103,7 @@ def _run(run: Callable[[Order], Record], order: Order, compiled: NDArray[np.uint
 
 
 def _join(ray: Any, address: str, jobs: int) -> None:
-    settings = {**one_thread_each(), **_QUIET}
+    settings = {**one_thread_each(), **_QUIET, **_FRUGAL}
     if address == LOCAL:
         here = os.pathsep.join(filter(None, sys.path))
         ray.init(
