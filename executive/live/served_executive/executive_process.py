@@ -10,6 +10,7 @@ fault of the connection and a seed, and let it strike with SIGUSR1.
 from __future__ import annotations
 
 import contextlib
+import gc
 import signal
 import sys
 from collections.abc import Callable
@@ -68,6 +69,8 @@ def serve(
                 wall.sleep(_AGAIN_S)
                 continue
             refused = 0
+            gc.collect()
+            gc.freeze()  # what is there now stays: to look for garbage takes milliseconds without it
             try:
                 executive.run()
             except ControlLostError as lost:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -240,6 +241,7 @@ class LiveExecutive:
             self._last_tree = self._tree_json() or self._last_tree
             self._order = self._account = self._display = self._tree = None
             self._steps.busy = False
+            gc.collect()  # a tree refers to itself, and holds what is large outside of Python
 
     def take_over(self) -> None:
         """Let a person have the task that is under way."""
