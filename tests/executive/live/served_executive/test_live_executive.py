@@ -1,6 +1,8 @@
 """One attachment: orders are carried out, and their reports tell what became of each."""
 
+import gc
 import json
+import weakref
 from concurrent.futures import Future
 from types import SimpleNamespace
 
@@ -318,3 +320,19 @@ def test_a_trajectory_that_cannot_be_read_is_refused_with_its_file(judging, tmp_
 
     assert (report["outcome"], report["exit_code"]) == ("refused", 2)
     assert "nothing.json: is no file" in report["message"]
+
+
+def test_what_refers_to_itself_is_gone_when_an_order_is_over(serving):
+    class Knot:
+        pass
+
+    knot = Knot()
+    knot.itself = knot
+    tied = weakref.ref(knot)
+    gc.disable()
+    try:
+        del knot
+        serving.carry_out("wait for 0.2 seconds")
+        assert tied() is None
+    finally:
+        gc.enable()
