@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -81,6 +82,12 @@ def serve(
     groot_port: GrootPortOption = GROOT_PORT,
     model: ModelOption = None,
     yes: YesOption = False,
+    body: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Attach this body in place of a simulated one.")
+    ] = None,
+    body_option: Annotated[
+        list[str] | None, typer.Option(metavar="KEY=VALUE", help="An option of the body.")
+    ] = None,
     config: ConfigOption = None,
     folder: FolderOption = None,
 ) -> None:
@@ -105,6 +112,7 @@ def serve(
         "the recorder": _recorder(where) if record is not None else [],
     }
     use_config(config)
+    body_options = _body_options(body, body_option or (), perception is not None, pace, evaluation)
 
     if model is not None:
         from executive.doors.model.front_model import usable_model
@@ -118,7 +126,7 @@ def serve(
     leave_opengl_to_the_renderer()
     machine = load_robot_for_tasks(robot)
     seen_by = None if perception is None else perception.value
-    if load_scene(scene).seen_by(seen_by).perception.kind == "rgbd":
+    if body is None and load_scene(scene).seen_by(seen_by).perception.kind == "rgbd":
         from robots.simulated.camera.camera_perception import require_camera
 
         require_camera(machine)
@@ -142,6 +150,8 @@ def serve(
         model=model or "",
         reads_back=not yes,
         perception=seen_by,
+        body=body or "",
+        body_options=body_options,
     )
     note_folder(request.record)
     with contextlib.ExitStack() as beside:
@@ -149,8 +159,34 @@ def serve(
         for name, command in doors.items():
             if command:
                 beside.enter_context(Companion(name, command, say))
-        say(f"{robot} stands in {scene}; sockets are in {where}. Ctrl-C ends it.")
+        place = f"in {scene}" if body is None else f"where its body {body} is"
+        say(f"{robot} stands {place}; sockets are in {where}. Ctrl-C ends it.")
         raise typer.Exit(service.watch())
+
+
+def _body_options(
+    body: str | None, options: Sequence[str], seen_by: bool, pace: float, evaluation: bool
+) -> tuple[tuple[str, str], ...]:
+    """The options of a body; what is wrong with them is said before anything is attached."""
+    from executive.errors import UserError
+    from robots.interface.bodies import BodyError, body_named
+
+    if body is None:
+        if options:
+            raise UserError("--body-option is an option of the body that --body NAME attaches")
+        return ()
+    try:
+        body_named(body)
+    except BodyError as wrong:
+        raise UserError(str(wrong)) from wrong
+    simulated = {"--perception": seen_by, "--pace": pace != REAL_PACE, "--evaluation": evaluation}
+    for option in (option for option, asked in simulated.items() if asked):
+        raise UserError(f"{option} is for a simulated world, and the body {body} is in none")
+    pairs = [option.partition("=") for option in options]
+    for key, equals, _ in pairs:
+        if not key or not equals:
+            raise UserError(f"--body-option: expected KEY=VALUE, not {key!r}")
+    return tuple((key, value) for key, _, value in pairs)
 
 
 def _bridge(folder: Path, domain: int, namespace: str, interface: str) -> list[str]:

@@ -76,7 +76,8 @@ class ServiceRequest:
 
     ``fault`` is one of the connection's, for evaluations: it strikes at a signal; ``trust`` is for models'
     output, ``model`` the name of the one in front, ``reads_back`` whether all that it proposes is read back;
-    ``perception`` is "stub" or "rgbd", or None for what the scene says.
+    ``perception`` is "stub" or "rgbd", or None for what the scene says; ``body`` is one that is not
+    simulated.
     """
 
     folder: Path
@@ -92,6 +93,8 @@ class ServiceRequest:
     model: str = ""
     reads_back: bool = True
     perception: str | None = None
+    body: str = ""
+    body_options: tuple[tuple[str, str], ...] = ()
 
 
 class Service:
@@ -261,4 +264,7 @@ def _control_command(request: ServiceRequest) -> list[str]:
     command += ["--shown", os.fspath(shown_directory())]
     command += [] if request.perception is None else ["--perception", request.perception]
     command += [] if request.realtime else ["--ordinary"]
+    command += ["--body", request.body] if request.body else []
+    for key, value in request.body_options:
+        command += ["--body-option", key, value]
     return command + (["--evaluation"] if request.evaluation else [])

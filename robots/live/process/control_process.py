@@ -18,8 +18,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from kinematics.errors import KinematicsError
 from kinematics.model.robot_model import RobotModel
 from robots.clock import ManualClock, WallClock
@@ -33,17 +31,15 @@ from robots.live.process.control_server import ControlServer
 from robots.live.process.evaluation_server import EvaluationServer
 from robots.live.process.hold_back import HoldBack, processor_use
 from robots.live.process.pacer import Pacer
+from robots.live.process.site import BodySite, SimulatedSite, Site
 from robots.live.process.supervision import Supervision
 from robots.live.process.warming import warm_up
 from robots.live.wire.child_process import ChildProcess
 from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.live.wire.state_slot import StateSlotWriter
 from robots.models.description import load_robot_for_tasks
-from robots.perception.labels.labelling import Labelling
 from robots.scenes.scene_file import load_scene
 from robots.seeded import Seeded
-from robots.simulated.eyes import placed_cameras, simulated_perception
-from robots.simulated.world import SimulatedWorld, build_world
 
 PUBLISH_EVERY = 5
 """Control periods between two states in the slot: 10 ms."""
@@ -70,6 +66,8 @@ class ControlOptions:
         supervisor: Process that started this one and replaces executives that end; None when none does.
         shown: Folder of things that were shown; None for none.
         perception: "stub" or "rgbd", whatever the scene says; None is what it says.
+        body: How a body that is not simulated is attached; empty for one that is.
+        body_options: Its own.
     """
 
     folder: Path
@@ -82,6 +80,8 @@ class ControlOptions:
     supervisor: int | None = None
     shown: Path | None = None
     perception: str | None = None
+    body: str = ""
+    body_options: tuple[tuple[str, str], ...] = ()
 
 
 class ControlProcess:
@@ -103,22 +103,20 @@ class ControlProcess:
         chance = Seeded.by(options.seed)
         model = RobotModel(description)
         self._clock = ManualClock()
-        self._world: SimulatedWorld = build_world(robot, scene, chance.world)
+        warm_up(model, robot.hardware)  # before there is a body that waits to be commanded
+        try:
+            self._site: Site = (
+                BodySite(robot, options.body, dict(options.body_options))
+                if options.body
+                else SimulatedSite(robot, scene, self._clock, chance, options.shown, folder.picture_slot)
+            )
+        except BaseException:
+            self._checker.close()
+            raise
         self._server: ControlServer | None = None
-        self._loop = ControlLoop(self._world.robot, model, self._clock, self._note, PERIOD_S)
-        self._perception = simulated_perception(
-            self._world,
-            robot,
-            scene,
-            self._clock,
-            chance.perception,
-            self._loop.sensing,
-            model,
-            waits=False,
-            labelling=Labelling(options.shown, packages=True, words=scene.perception.labels),
-            slot=folder.picture_slot,
-        )
-        self._pacer = Pacer(WallClock(), PERIOD_S, options.pace)
+        self._loop = ControlLoop(self._site.robot, model, self._clock, self._note, PERIOD_S)
+        self._sight = self._site.sight(self._loop.sensing, model)
+        self._pacer = Pacer(WallClock(), PERIOD_S, 0.0 if self._site.time_passes else options.pace)
         self._layout = ReportLayout(model)
         self._slot = StateSlotWriter(folder.state_slot, self._layout.count)
         self._scheduling = _real_time_scheduling() if options.realtime else "ordinary, as asked"
@@ -126,15 +124,15 @@ class ControlProcess:
         self._hold = HoldBack(WallClock(), processor_use)
         self._supervision = Supervision(options.supervisor)
         self._terminated = self._told_moving = False
-        warm_up(model, robot.hardware)
         for _ in range(_FIRST_PERIODS):  # compiled code is loaded when it is first called
             self._step()
         self._publish()
+        sight = self._sight
         about = {
             "robot": options.robot,
             "scene": options.scene,
-            "perception": scene.perception.kind,
-            "labels": None if self._perception.labels is None else sorted(self._perception.labels),
+            "perception": self._site.kind,
+            "labels": None if sight.detector.labels is None else sorted(sight.detector.labels),
             "seed": options.seed,
             "period_s": PERIOD_S,
             "state_every_s": PUBLISH_EVERY * PERIOD_S,
@@ -145,16 +143,16 @@ class ControlProcess:
             folder.control_socket,
             self._loop,
             self._clock,
-            self._perception,
+            sight.detector,
             self._checker,
             about,
             self._health,
-            self._world.ranging,
-            self._world.people.see_offer,
-            placed_cameras(self._perception, scene),
+            sight.ranging,
+            sight.on_offer,
+            sight.cameras,
         )
         self._evaluation = (
-            EvaluationServer(folder.evaluation_socket, self._truth, self._pacer)
+            EvaluationServer(folder.evaluation_socket, self._site.truth, self._pacer)
             if options.evaluation
             else None
         )
@@ -174,8 +172,9 @@ class ControlProcess:
         ending_s: float | None = None
         while True:
             missed = self._pacer.wait()
-            self._hold_back(server)
-            self._loop.catch_up(missed, self._perception.tick)
+            if not self._site.time_passes:
+                self._hold_back(server)
+            self._loop.catch_up(missed, self._sight.tick)
             # within a period it is in time, as far as the robot can tell
             self._loop.note_late((missed + 1) * PERIOD_S if missed else 0.0)
             server.ending = server.ending or self._terminated
@@ -217,7 +216,7 @@ class ControlProcess:
             if repr(defect) != self._told_defect:  # it may come again each period
                 self._told_defect = repr(defect)
                 _say(f"a defect of the control loop: {defect!r}")
-        self._perception.tick()
+        self._sight.tick()
         self._periods += 1
         # what has come to its end is in the slot before anybody is told of it
         if self._periods % PUBLISH_EVERY == 0 or moves(self._loop) != self._told_moving:
@@ -252,18 +251,6 @@ class ControlProcess:
             "supervisor": self._supervision.supervisor,
         }
 
-    def _truth(self) -> dict[str, Any]:
-        truth = self._world.truth
-        return {
-            "t_s": self._clock.now_s(),
-            "fallen": truth.fallen(),
-            "com_margin_m": truth.com_margin_m(),
-            "speed_rad_s": float(np.abs(self._world.physics.data.qvel[self._world.physics.joint_qvel]).max()),
-            "lift_m": {name: truth.lift_m(name) for name in truth.objects()},
-            "base": truth.world_T_base().tolist(),
-            "places_m": {name: truth.world_T_object(name)[:3, 3].tolist() for name in truth.objects()},
-        }
-
 
 def _real_time_scheduling() -> str:
     """Ask for it; tells what became of it. Children do not inherit it."""
@@ -293,6 +280,8 @@ def main() -> int:
     parser.add_argument("--supervisor", type=int, help="process that replaces executives that end")
     parser.add_argument("--shown", type=Path, help="folder of things that were shown")
     parser.add_argument("--perception", help="stub or rgbd, whatever the scene says")
+    parser.add_argument("--body", default="", help="one that is not simulated")
+    parser.add_argument("--body-option", nargs=2, action="append", default=[], metavar=("KEY", "VALUE"))
     asked = parser.parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
@@ -308,6 +297,8 @@ def main() -> int:
                 asked.supervisor,
                 asked.shown,
                 asked.perception,
+                asked.body,
+                tuple((key, value) for key, value in asked.body_option),
             )
         )
     except (RobotsError, KinematicsError, OSError) as wrong:

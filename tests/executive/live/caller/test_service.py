@@ -195,6 +195,15 @@ def test_the_control_process_is_told_how_the_robot_sees_when_that_was_asked(
     assert [one for one in command if one in ("--perception", "rgbd")] == told
 
 
+def test_the_control_process_is_told_of_the_body_that_it_is_to_attach(world, tmp_path):
+    place = (tmp_path / "live", "g1", "tabletop", 0, tmp_path / "runs")
+    options = (("interface", "eth0"), ("domain", "3"))
+    Service(ServiceRequest(*place, body="unitree", body_options=options), world.said.append)
+
+    told = " ".join(world.control.command)
+    assert "--body unitree --body-option interface eth0 --body-option domain 3" in told
+
+
 def test_so_many_within_the_window_are_too_many():
     restarts = Restarts(most=3, within_s=100.0)
 
