@@ -99,7 +99,7 @@ def impossible(
     Args:
         commands: What was said.
         rooms: Names of the rooms on the map.
-        labels: The words that perception can tell; None: any.
+        labels: The words that perception can tell; None: any. None at all where the body brings no eyes.
     """
     missing = missing_room(commands, rooms)
     if missing is not None:
@@ -113,6 +113,8 @@ def impossible(
             return Impossible(command, f"this robot puts nothing below something else, as {below}", "under")
     if labels is not None and (untold := cannot_be_told(commands, labels)) is not None:
         command, word = untold
+        if not labels:
+            return Impossible(command, f"the robot has no eyes here to find {with_article(word)} by", word)
         known = f"I do not know what {with_article(word)} looks like; I can find"
         return Impossible(command, f"{known} {what_can_be_found(word, labels)}", word)
     return None

@@ -58,3 +58,10 @@ def test_what_the_things_of_the_place_are_called_is_told_before_what_things_are_
     said = why("find the rubik's cube", labels | {"table", "wall", "shelf", "zorblax", "handle", "drawer"})
 
     assert "I can find a zorblax, a ball" in said
+
+
+def test_without_eyes_that_is_the_reason():
+    found = impossible(parse("pick up the cup").commands, (), frozenset())
+
+    assert found.message == "the robot has no eyes here to find a cup by"
+    assert impossible(parse("wait for 2 seconds").commands, (), frozenset()) is None
