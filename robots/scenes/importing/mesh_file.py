@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import io
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,11 +13,10 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array, Sealed
 from robots.errors import CannotImportError
 from robots.scenes.importing.extra import library
-from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface
+from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface, small_png
 
 ENDINGS = (".obj", ".stl", ".glb", ".gltf", ".ply", ".msh")
 MOST_FACES = 2_000_000
-_MOST_PX = 1024
 _SHEET = 1e-9
 
 
@@ -106,8 +104,4 @@ def _looks(visual: Any) -> tuple[Array | None, bytes, tuple[float, float, float]
     image = getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
     if uv is None or image is None:
         return None, b"", (red, green, blue)
-    small = image.convert("RGB")
-    small.thumbnail((_MOST_PX, _MOST_PX))
-    out = io.BytesIO()
-    small.save(out, "PNG")
-    return np.asarray(uv, np.float64), out.getvalue(), (red, green, blue)
+    return np.asarray(uv, np.float64), small_png(image), (red, green, blue)

@@ -15,6 +15,7 @@ from robots.scenes.scene_words import COLORS
 
 _MOST = 0.65
 """Share of what is seen that a colour must have: of a thing of two colours people say neither."""
+_MOST_PX = 1024
 _WORDS = tuple(COLORS)
 _TO_CONES = np.array(
     [
@@ -69,6 +70,15 @@ def on_picture(picture: bytes, places: Array) -> Array:
     columns = np.minimum((across * width).astype(int), width - 1)
     rows = np.minimum(((1.0 - up) * height).astype(int), height - 1)
     return np.asarray(image[rows, columns])
+
+
+def small_png(image: Image.Image) -> bytes:
+    """A picture as it is kept with a thing: PNG, in red, green and blue, of 1024 pixels a side at most."""
+    small = image.convert("RGB")
+    small.thumbnail((_MOST_PX, _MOST_PX))
+    out = io.BytesIO()
+    small.save(out, "PNG")
+    return out.getvalue()
 
 
 def said_color(surface: Surface) -> tuple[str, float] | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,10 +10,8 @@ import numpy as np
 from PIL import Image
 
 from kinematics.arrays import Array, Indices, Sealed
-from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface
+from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface, small_png
 from robots.simulated.importing.bodies import Foreign
-
-_MOST_PX = 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,8 +86,4 @@ def _picture(foreign: Foreign, geom: int) -> bytes:
     width, height = int(model.tex_width[texture]), int(model.tex_height[texture])
     channels, first = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
     pixels = np.asarray(model.tex_data[first : first + width * height * channels], np.uint8)
-    image = Image.fromarray(pixels.reshape(height, width, channels)[..., :3].copy())
-    image.thumbnail((_MOST_PX, _MOST_PX))
-    out = io.BytesIO()
-    image.save(out, "PNG")
-    return out.getvalue()
+    return small_png(Image.fromarray(pixels.reshape(height, width, channels)[..., :3].copy()))

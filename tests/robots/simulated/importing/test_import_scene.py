@@ -2,13 +2,16 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from kinematics.geometry import poses
 from robots.errors import CannotImportError
 from robots.scenes.scene_file import load_scene
+from robots.scenes.scene_words import COLORS
 from robots.simulated.importing.bodies import label_of_body, read_foreign
 from robots.simulated.importing.import_scene import import_scene
 from robots.simulated.importing.inventory import inventory_of
+from tests import foreign_meshes as foreign
 
 ROBOT = """
 <body name="robot0"><body name="link0" pos="-1 0 1"><joint name="j0" axis="0 0 1"/>
@@ -209,3 +212,25 @@ def test_a_urdf_of_one_piece_is_read(tmp_path):
 )
 def test_a_body_s_name_is_what_people_call_it(body, label):
     assert label_of_body(body) == label
+
+
+@pytest.mark.parametrize(("place", "color"), [("0.2 0.9", "red"), ("0.2 0.1", "blue")])
+def test_what_has_a_picture_keeps_it_and_is_of_the_colour_that_it_shows(tmp_path, place, color):
+    image = Image.new("RGB", (8, 8), tuple(round(255 * value) for value in COLORS["red"]))
+    image.paste(tuple(round(255 * value) for value in COLORS["blue"]), (0, 4, 8, 8))
+    image.save(tmp_path / "looks.png")
+    box = foreign.carton((0.05, 0.05, 0.1))
+    corners = "".join(f"v {x} {y} {z}\n" for x, y, z in box.vertices)
+    faces = "".join("f " + " ".join(f"{k + 1}/1" for k in face) + "\n" for face in box.faces)
+    (tmp_path / "box.obj").write_text(f"{corners}vt {place}\n{faces}")
+    world = f"""{table()}<body name="milk" pos=".8 0 .9"><freejoint/><geom type="box" size=".025 .025 .05"/>
+<geom type="mesh" mesh="box" material="looks" contype="0" conaffinity="0"/></body>"""
+    assets = """<asset><mesh name="box" file="box.obj"/><texture name="looks" type="2d" file="looks.png"/>
+<material name="looks" texture="looks"/></asset>"""
+
+    import_scene(scene_of(tmp_path, world, assets))
+
+    (milk,) = load_scene(str(tmp_path / "kitchen.toml")).objects
+    assert milk.color == color
+    assert milk.model.picture
+    assert np.allclose(milk.model.on_picture, np.fromstring(place, sep=" "), atol=1e-6)
