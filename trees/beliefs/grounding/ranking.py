@@ -49,7 +49,7 @@ def sized(size: str, fitting: list[BelievedThing], noun: str) -> list[BelievedTh
     values = sorted(measure(thing) for thing in fitting)
     if values[-1] < ratio * values[0]:
         raise UntellableError(f"which one is the {size} one? they are of nearly one size", fitting)
-    if size.endswith(("st", "er")):
+    if compares_all(size):
         extreme = values[-1] if largest else values[0]
         return [
             thing for thing in fitting if max(measure(thing), extreme) < ratio * min(measure(thing), extreme)
@@ -59,6 +59,11 @@ def sized(size: str, fitting: list[BelievedThing], noun: str) -> list[BelievedTh
     if not kept:
         raise NoneFitsError(f"no {noun} seen", True)
     return kept
+
+
+def compares_all(size: str | None) -> bool:
+    """Whether a word of size means the extreme of all: "biggest", "bigger"."""
+    return size is not None and size.endswith(("st", "er"))
 
 
 _NUMBERS: Mapping[str, int] = MappingProxyType(

@@ -11,6 +11,7 @@ from trees.beliefs.grounding.furniture_called import called_so
 from trees.beliefs.grounding.grounding import Ambiguous, ground
 from trees.beliefs.grounding.person_words import looks_of
 from trees.beliefs.grounding.questions import which_is_meant
+from trees.beliefs.grounding.ranking import compares_all
 from trees.beliefs.grounding.report_words import counted, listed, plural, whereabouts
 from trees.beliefs.openings.handles import MEANT_BY
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
@@ -162,6 +163,9 @@ class TellDescription(TellingLeaf):
     def _one(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> Status | Failure:
+        meant = ground(wanted, around, None if self.region(source) is not None else source)
+        if isinstance(meant, Ambiguous) and wanted.ordinal is None and compares_all(wanted.size):
+            return self._of_one_size(wanted, meant, around, source)
         names = self.fitting(wanted, around, source)
         if isinstance(names, Failure):
             return names
@@ -190,6 +194,21 @@ class TellDescription(TellingLeaf):
             words,
             {**evidence, SEEN_WHOLE: not hidden, "things": 1, "height_m": 2.0 * thing.half_height_m},
         )
+
+    def _of_one_size(
+        self, wanted: ObjectDescription, alike: Ambiguous, around: Surroundings, source: Destination | None
+    ) -> Status | Failure:
+        """Nobody is asked back which of them is the biggest: that several are about as big is the answer."""
+        if (far := self.too_far(source, around)) is not None:
+            return far
+        names = self.inside(self.region(source), (choice.name for choice in alike.choices))
+        called = [f"the {thing.words}" for thing in around.things if thing.name in names]
+        words, hidden = f"{listed(called)} are of nearly one size", self.much_is_hidden()
+        words = f"none is clearly the {wanted.size}: {words}"
+        if hidden:
+            words = f"not all of the {self.called_here(source, around)} is to be seen; of what I see {words}"
+        told = {"names": ", ".join(names), **self.confidence(names)}
+        return self.say(words, {**told, SEEN_WHOLE: not hidden, "things": len(names)})
 
 
 def _is_surface(wanted: ObjectDescription, around: Surroundings) -> bool:

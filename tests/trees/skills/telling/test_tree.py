@@ -28,6 +28,10 @@ def leg(y):
     return TrueObject(f"table/leg {y}", "furniture", "table", None, Box((0.05, 0.05, 0.8)), pose)
 
 
+def at(x, y):
+    return poses.translation(x, y, 0.94)
+
+
 def run(stage, task, **toolbox):
     return stage.play(build_tree(task, dataclasses.replace(stage.toolbox, **toolbox)))
 
@@ -171,6 +175,20 @@ def test_the_biggest_is_told_without_reserve_where_all_is_seen(stage_with):
     (words,) = said(stage)
     assert words.startswith("the red cup is ")
     assert tree.evidence["seen_whole"] is True
+
+
+@pytest.mark.parametrize("size", ["biggest", "largest", "smallest"])
+def test_where_several_are_of_one_size_all_are_told_and_nobody_is_asked_back(stage_with, size):
+    tall = TrueObject("white box", "object", "box", "white", Box((0.06, 0.09, 0.06)), at(0.5, 0.3))
+    tiny = TrueObject("red ball", "object", "ball", "red", Ball(0.042), at(0.6, -0.4))
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)), tall, tiny)
+
+    tree = run(stage, DescribeTask("which one", ObjectDescription(size=size), source="table"))
+
+    (words,) = said(stage)
+    assert tree.status == "success"
+    assert words.startswith(f"none is clearly the {size}: ")
+    assert {"red cup", "blue cup"} <= set(tree.evidence["names"].split(", "))
 
 
 def test_which_is_the_biggest_on_a_table_far_away_is_not_told_from_there(new_stage):
