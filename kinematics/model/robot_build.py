@@ -74,7 +74,11 @@ def _build(model: RobotModel) -> RobotBuild:
     return _first(RobotBuild(made_from, model))
 
 
-@functools.lru_cache(maxsize=8)
+_KEPT = 3
+"""A robot with empty hands, and with what they hold: each weight that was felt makes another one, of 20 MB."""
+
+
+@functools.lru_cache(maxsize=_KEPT)
 def _first(build: RobotBuild) -> RobotBuild:
     """That one of equal builds which came first."""
     return build
