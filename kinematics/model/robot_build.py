@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import pinocchio as pin
 
-from kinematics.model.derived import Derivable
+from kinematics.model.derived import Derivable, Recent
 from kinematics.model.robot_model import RobotModel
 
 if TYPE_CHECKING:
@@ -71,14 +70,10 @@ def _build(model: RobotModel) -> RobotBuild:
         # what is carried belongs to the model, not to the robot's data
         b"".join(inertia.toDynamicParameters().tobytes() for inertia in model.pin.inertias),
     )
-    return _first(RobotBuild(made_from, model))
+    return _BUILDS.of(made_from, lambda: RobotBuild(made_from, model.twin()))
 
 
-_KEPT = 3
-"""A robot with empty hands, and with what they hold: each weight that was felt makes another one, of 20 MB."""
-
-
-@functools.lru_cache(maxsize=_KEPT)
-def _first(build: RobotBuild) -> RobotBuild:
-    """That one of equal builds which came first."""
-    return build
+_KEPT = 8
+"""A robot with empty hands, and with what they hold: each weight that was felt makes another one."""
+_BUILDS: Recent[Hashable, RobotBuild] = Recent(_KEPT)
+"""With models of their own: somebody's model keeps what was made for all places where that one has stood."""

@@ -121,6 +121,13 @@ class RobotModel(Derivable):
         vars(loaded).pop("mass_kg", None)
         return loaded
 
+    def twin(self) -> RobotModel:
+        """The same robot, of which nothing was made yet."""
+        twin = copy.copy(self)
+        twin._data = twin.pin.createData()
+        twin._derived = {}
+        return twin
+
     def joint_index(self, name: str) -> int:
         """Index of a joint in ``q[7:]``.
 

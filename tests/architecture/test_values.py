@@ -54,8 +54,6 @@ def tables(module: Module) -> list[str]:
         if isinstance(node, ast.FunctionDef)
         and any(any(word in ast.unparse(item) for word in _CACHES) for item in node.decorator_list)
         and any(_ROBOTS.search(kind) for _, kind in _annotations(node))
-        # the one table of robots that are built alike, by what they are built of
-        and f"{module.name}.{node.name}" != "kinematics.model.robot_build._first"
     ]
 
 

@@ -1,6 +1,8 @@
 """Arrays of the planner's judge are made once for a robot, and anew for another one."""
 
 import dataclasses
+import gc
+import weakref
 
 from kinematics.collision import leg_room, validity
 from kinematics.model.robot_build import robot_build
@@ -42,3 +44,13 @@ def test_another_pair_that_may_touch_makes_another_robot():
     other = RobotModel(dataclasses.replace(TALOS, disabled_collisions=frozenset()))
 
     assert arrays(other) is not arrays(RobotModel(TALOS))
+
+
+def test_what_is_shared_keeps_no_model_that_somebody_has_put_away():
+    model = RobotModel(dataclasses.replace(TALOS, groups={**TALOS.groups, "of_this_test": TALOS.joints[:1]}))
+    shared, alive = arrays(model), weakref.ref(model)
+    del model
+    gc.collect()
+
+    assert alive() is None
+    assert shared is not None
