@@ -73,7 +73,7 @@ def _build(model: RobotModel) -> RobotBuild:
     return _BUILDS.of(made_from, lambda: RobotBuild(made_from, model.twin()))
 
 
-_KEPT = 8
+_KEPT = 3
 """A robot with empty hands, and with what they hold: each weight that was felt makes another one."""
 _BUILDS: Recent[Hashable, RobotBuild] = Recent(_KEPT)
 """With models of their own: somebody's model keeps what was made for all places where that one has stood."""
