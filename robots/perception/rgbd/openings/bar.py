@@ -34,12 +34,13 @@ class Bar(InFloat64):
 
     Attributes:
         shape: Its radius and length; both are measured.
-        odom_T_bar: Its middle, z along it, x towards the front, shape (4, 4).
+        frame_T_bar: Its middle, z along it, x towards the front, shape (4, 4), in the frame in which the bar
+            is told: that of the odometry, or of its front.
         pixels: How many show it.
     """
 
     shape: Cylinder
-    odom_T_bar: Transform
+    frame_T_bar: Transform
     pixels: int
 
 
@@ -50,16 +51,16 @@ def completed(bar: Bar, before: Bar) -> Bar:
         bar: As it is seen now.
         before: As it was seen; both in the frame of their front, which a bar never leaves.
     """
-    along = before.odom_T_bar[:3, 2]
+    along = before.frame_T_bar[:3, 2]
     lacks_m = before.shape.height_m - bar.shape.height_m
-    off = bar.odom_T_bar[:3, 3] - before.odom_T_bar[:3, 3]
+    off = bar.frame_T_bar[:3, 3] - before.frame_T_bar[:3, 3]
     further_m = float(off @ along)
     beside_m = float(np.linalg.norm(off - further_m * along))
-    same = abs(float(bar.odom_T_bar[:3, 2] @ along)) > _ALONG_COS and beside_m < _SAME_M
+    same = abs(float(bar.frame_T_bar[:3, 2] @ along)) > _ALONG_COS and beside_m < _SAME_M
     if lacks_m <= 0.0 or not same or abs(further_m) > 0.5 * lacks_m + _SAME_M:
         return bar
     shape = Cylinder(max(bar.shape.radius_m, before.shape.radius_m), before.shape.height_m)
-    front_T_bar = bar.odom_T_bar.copy()
+    front_T_bar = bar.frame_T_bar.copy()
     front_T_bar[:3, 3] -= further_m * along
     return Bar(shape, front_T_bar, bar.pixels)
 

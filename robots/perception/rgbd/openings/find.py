@@ -83,7 +83,7 @@ class SeenCabinet(InFloat64):
                 if k == 0 or (self.inside_seen and solid.kind):
                     found.append(Piece(solid.kind, None, solid.shape, part @ solid.part_T_solid, 0.95))
         if self.bar is not None:
-            found.append(Piece(HANDLE, None, self.bar.shape, self.bar.odom_T_bar, 0.95))
+            found.append(Piece(HANDLE, None, self.bar.shape, self.bar.frame_T_bar, 0.95))
         return found
 
     def explains(self, points: Array, sigma_m: Array) -> NDArray[np.bool_]:
@@ -101,9 +101,9 @@ class SeenCabinet(InFloat64):
         away = np.minimum(surface_m(local, *cabinet.fixed), surface_m(moved, *cabinet.moving_boxes))
         on = away < _EXPLAINED_M + _SIGMAS * sigma_m
         if self.bar is not None:
-            bar = points - self.bar.odom_T_bar[:3, 3]
-            along = bar @ self.bar.odom_T_bar[:3, 2]
-            beside = np.linalg.norm(bar - along[:, None] * self.bar.odom_T_bar[:3, 2], axis=1)
+            bar = points - self.bar.frame_T_bar[:3, 3]
+            along = bar @ self.bar.frame_T_bar[:3, 2]
+            beside = np.linalg.norm(bar - along[:, None] * self.bar.frame_T_bar[:3, 2], axis=1)
             on |= (beside < self.bar.shape.radius_m + 0.06) & (
                 np.abs(along) < 0.5 * self.bar.shape.height_m + 0.03
             )
@@ -139,7 +139,7 @@ class Cabinets:
     def __init__(self, known: Sequence[Furniture]) -> None:
         self._on_map = tuple(piece for piece in known if piece.opens is not None)
         self._on_sight: dict[int, Furniture] = {}
-        self._front_T_bar: dict[int, Bar] = {}
+        self._by_front: dict[int, Bar] = {}
         self._now: set[int] = set()
 
     def look(self, cloud: Cloud) -> list[SeenCabinet]:
@@ -167,11 +167,11 @@ class Cabinets:
         if seen.bar is None:
             return seen
         odom_T_front = seen.cabinet.odom_T_front(seen.fit.config)
-        bar = replace(seen.bar, odom_T_bar=poses.inverse(odom_T_front) @ seen.bar.odom_T_bar)
-        if k in self._front_T_bar:
-            bar = completed(bar, self._front_T_bar[k])
-        self._front_T_bar[k] = bar
-        return replace(seen, bar=replace(bar, odom_T_bar=odom_T_front @ bar.odom_T_bar))
+        bar = replace(seen.bar, frame_T_bar=poses.inverse(odom_T_front) @ seen.bar.frame_T_bar)
+        if k in self._by_front:
+            bar = completed(bar, self._by_front[k])
+        self._by_front[k] = bar
+        return replace(seen, bar=replace(bar, frame_T_bar=odom_T_front @ bar.frame_T_bar))
 
     @property
     def unseen(self) -> list[Furniture]:
