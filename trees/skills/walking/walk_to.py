@@ -35,6 +35,8 @@ _BEYOND_M = 0.1
 """A step back goes so much farther than turning needs,"""
 _BACK_SHARES = (1.0, 0.67, 0.33)
 """or not so far, where there is something behind as well."""
+_AHEAD_M = 0.1
+"""From the middle of the body; the hands at home reach three times as far."""
 _IN_THE_WAY_M = 0.06
 """Something new that is nearer to the path than its clearance by more than this makes it plan anew."""
 _ELSEWHERE_M = 0.1
@@ -201,10 +203,14 @@ class WalkTo(WalkingLeaf):
     def _comes_to_seen(self, settings: WalkingSettings, room: WalkingRoom, way: Sequence[PlanarPose]) -> bool:
         """Whether hands or legs come to something on a way that was seen, and that nobody knows.
 
-        Somebody may stand there whom the eyes have not met. What the legs are beside already is left out.
+        Somebody may stand there whom the eyes have not met. A way straight back leads away from what is
+        ahead; what the legs are beside already is left out as well.
         """
         scene, here = self.toolbox.world.scene, way[0]
         tall = self._seen.beside(footprints(scene), settings.hands_from_m)
+        tall = tall[
+            (tall - (here.x_m, here.y_m)) @ (math.cos(here.yaw_rad), math.sin(here.yaw_rad)) < _AHEAD_M
+        ]
         beside_m = next((m for m in BESIDE_TUCKED_M if not room.hands_meet_seen(tall, way[:1], m)), None)
         if beside_m is None or room.hands_meet_seen(tall, way, beside_m):
             return True

@@ -122,7 +122,14 @@ def test_the_robot_steps_back_to_turn_only_where_its_hands_come_to_nothing(stage
 
 @pytest.mark.parametrize(
     ("behind_m", "aside_m", "high_m", "back"),
-    [(0.36, 0.75, 1.4, False), (0.36, 0.75, 0.6, True), (0.36, 1.2, 1.4, True), (0.45, 0.1, 0.1, False)],
+    [
+        (0.36, 0.75, 1.4, False),
+        (0.0, 0.75, 1.4, False),
+        (-0.25, 0.3, 1.4, True),
+        (0.36, 0.75, 0.6, True),
+        (0.36, 1.2, 1.4, True),
+        (0.45, 0.1, 0.1, False),
+    ],
 )
 def test_the_robot_steps_back_into_nothing_that_only_its_range_sensor_has_seen(
     stage, behind_m, aside_m, high_m, back
