@@ -34,10 +34,16 @@ def test_an_arena_has_rooms_things_and_people_where_a_command_says(trial):
 
 
 @pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
-def test_nobody_stands_where_the_robot_begins(trial):
+def test_who_speaks_stands_before_the_robot_and_nobody_else_is_nearly_as_near(trial):
     start = trial.scene.robot_start
+    away_m = {one.name: math.dist(one.position_m, (start.x_m, start.y_m)) for one in trial.scene.people}
+    x, y = next(one.position_m for one in trial.scene.people if one.name == trial.speaker)
+    aside_rad = math.remainder(math.atan2(y - start.y_m, x - start.x_m) - start.yaw_rad, 2.0 * math.pi)
 
-    assert all(math.dist(one.position_m, (start.x_m, start.y_m)) >= 0.9 for one in trial.scene.people)
+    assert away_m[trial.speaker] >= 1.2
+    assert abs(aside_rad) <= 0.5
+    others_m = [far for name, far in away_m.items() if name != trial.speaker]
+    assert min(others_m) >= away_m[trial.speaker] + 0.4
 
 
 @pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.sentence)
@@ -143,6 +149,8 @@ def test_the_biggest_is_so_by_its_true_volume():
     ]
 
     assert len(right) == 1
+    everything = ", ".join(item.name for item in items)
+    assert not judged((("describe", ""),), says, [done(names=everything)], World()).done
 
 
 @pytest.mark.parametrize("seen_whole", [True, False])

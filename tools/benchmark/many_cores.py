@@ -61,7 +61,7 @@ def many_cores(quick: bool) -> list[Figure]:
     """Each backend on one core and on two, the model beside them, and the model for many."""
     count = 6 if quick else 64
     found = [_in_turns(*((3, 1) if quick else (8, 5)))]
-    for name, backend in BACKENDS.items():
+    for name, backend in _BACKENDS.items():
         one, two = (_measured(backend, count, jobs) for jobs in (1, 2))
         for jobs, took in ((1, one), (2, two)):
             predicted_s = predicted(one, count, jobs)
@@ -116,14 +116,14 @@ def _ray(orders: Sequence[EpisodeOrder], jobs: int) -> Ends:
     return run_on_ray(orders, LOCAL, jobs, run_episode)
 
 
-BACKENDS: dict[str, Backend] = {"processes": _processes, "Ray": _ray}
+_BACKENDS: dict[str, Backend] = {"processes": _processes, "Ray": _ray}
 
 
 def _in_turns(count: int, turns: int) -> Figure:
     """What an episode takes by Ray and in processes, one core each, their start left out: in turns."""
-    took_s: dict[str, list[float]] = {name: [] for name in BACKENDS}
+    took_s: dict[str, list[float]] = {name: [] for name in _BACKENDS}
     for _ in range(turns):
-        for name, backend in BACKENDS.items():
+        for name, backend in _BACKENDS.items():
             took = _measured(backend, count, 1)
             took_s[name].append((took.all_s - took.begun_s) / count)
     return figure("an episode by Ray, s", took_s["Ray"], "in processes", took_s["processes"])

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+import shutil
 import struct
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import IO
 
@@ -61,24 +62,35 @@ def mend(path: Path) -> bool:
     if any(isinstance(one, Footer) for one in kept):
         return False
     # another process may mend it at the same time
-    number, whole = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".mended", dir=path.parent)
-    with os.fdopen(number, "wb") as file:
-        writer = Writer(file, compression=CompressionType.ZSTD)
-        writer.start("ros2", "humanoid-executive")
-        schemas: dict[int, int] = {}
-        channels: dict[int, int] = {}
-        for one in kept:
-            if isinstance(one, Metadata):
-                writer.add_metadata(one.name, one.metadata)
-            elif isinstance(one, Schema) and one.id not in schemas:
-                schemas[one.id] = writer.register_schema(one.name, one.encoding, one.data)
-            elif isinstance(one, Channel) and one.id not in channels:
-                schema = schemas[one.schema_id]
-                channels[one.id] = writer.register_channel(one.topic, one.message_encoding, schema)
-            elif isinstance(one, Message):
-                writer.add_message(
-                    channels[one.channel_id], one.log_time, one.data, one.publish_time, one.sequence
-                )
-        writer.finish()  # type: ignore[no-untyped-call]
-    Path(whole).replace(path)
+    number, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".mended", dir=path.parent)
+    whole = Path(name)
+    try:
+        with os.fdopen(number, "wb") as file:
+            _write(kept, file)
+        shutil.copymode(path, whole)
+        whole.replace(path)
+    except BaseException:
+        whole.unlink(missing_ok=True)
+        raise
     return True
+
+
+def _write(kept: Iterable[McapRecord], file: IO[bytes]) -> None:
+    """Write records anew, with the end that belongs behind them."""
+    writer = Writer(file, compression=CompressionType.ZSTD)
+    writer.start("ros2", "humanoid-executive")
+    schemas: dict[int, int] = {}
+    channels: dict[int, int] = {}
+    for one in kept:
+        if isinstance(one, Metadata):
+            writer.add_metadata(one.name, one.metadata)
+        elif isinstance(one, Schema) and one.id not in schemas:
+            schemas[one.id] = writer.register_schema(one.name, one.encoding, one.data)
+        elif isinstance(one, Channel) and one.id not in channels:
+            schema = schemas[one.schema_id]
+            channels[one.id] = writer.register_channel(one.topic, one.message_encoding, schema)
+        elif isinstance(one, Message):
+            writer.add_message(
+                channels[one.channel_id], one.log_time, one.data, one.publish_time, one.sequence
+            )
+    writer.finish()  # type: ignore[no-untyped-call]

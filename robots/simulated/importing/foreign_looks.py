@@ -38,7 +38,7 @@ def looks_of(foreign: Foreign, geoms: Sequence[int]) -> Looks | None:
 
     None where none is a mesh.
     """
-    seen = [_looks(foreign, geom) for geom in geoms if len(foreign.triangles(geom)[1])]
+    seen = [looks for geom in geoms if (looks := _looks(foreign, geom)) is not None]
     if len(seen) < 2:
         return seen[0] if seen else None
     starts = np.cumsum([0, *(len(one.vertices) for one in seen)])
@@ -52,8 +52,10 @@ def looks_of(foreign: Foreign, geoms: Sequence[int]) -> Looks | None:
     )
 
 
-def _looks(foreign: Foreign, geom: int) -> Looks:
+def _looks(foreign: Foreign, geom: int) -> Looks | None:
     vertices, faces = foreign.triangles(geom)
+    if not len(faces):
+        return None
     color = np.array(foreign.color(geom))
     uv, picture = _corners_on_picture(foreign, geom), _picture(foreign, geom)
     if uv is None or not picture:

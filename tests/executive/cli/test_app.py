@@ -515,3 +515,21 @@ def test_a_robot_that_is_no_folder_is_one_line(command, tmp_path):
     assert ended.returncode == ExitCode.INVALID
     assert "expected a folder with a description.toml" in ended.stderr
     assert "defect" not in ended.stderr
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (("--body", "unitre"), "no body 'unitre'; the nearest is 'unitree'"),
+        (("--body", "unitree", "--pace", "0.5"), "--pace is for a simulated world"),
+        (("--body", "unitree", "--evaluation"), "--evaluation is for a simulated world"),
+        (("--body", "unitree", "--perception", "stub"), "--perception is for a simulated world"),
+        (("--body", "unitree", "--body-option", "eth0"), "expected KEY=VALUE, not 'eth0'"),
+        (("--body-option", "interface=eth0"), "--body-option is an option of the body"),
+    ],
+)
+def test_what_is_wrong_with_a_body_is_said_before_anything_is_attached(executive, options, says):
+    told = executive("serve", "--robot", "g1", *options)
+
+    assert says in " ".join(told.stderr.split())
+    assert told.exit_code == ExitCode.INVALID

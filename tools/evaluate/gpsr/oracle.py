@@ -27,6 +27,8 @@ STANDS_M = 0.03
 NEAR_M = 2.5
 """From the middle of the robot to that of the person to whom it speaks or waves."""
 CARRIED_M = 0.15
+_ALIKE = 1.5
+"""Ratio of true volumes up to which two things may be told as of one size: each may be misjudged."""
 _PULL_N = (10.0, 18.0)
 _REACTION_S = (0.3, 1.5)
 
@@ -146,10 +148,14 @@ class Oracle:
     def _ranked(self, results: Sequence[TaskResult]) -> str:
         items = self._on_the_named_piece()
         size = next(word for word in ("smallest", "biggest", "largest") if word in self._trial.sentence)
-        ordered = sorted(items, key=lambda item: inside_m3(item.shape))
-        right = (ordered[0] if size == "smallest" else ordered[-1]).name if ordered else ""
+        volumes_m3 = {item.name: inside_m3(item.shape) for item in items}
+        pick = min if size == "smallest" else max
+        right = pick(volumes_m3, key=volumes_m3.__getitem__, default="")
         told = str(results[-1].evidence.get("names", "")) if results else ""
-        return "" if told == right or right in told.split(", ") else f"told {told!r}, it is the {right}"
+        names = told.split(", ")
+        if right not in names or any(_is_of_another_size(volumes_m3, name, right) for name in names):
+            return f"told {told!r}, it is the {right}"
+        return ""
 
     def _waved(self, results: Sequence[TaskResult]) -> str:
         assert self._wave is not None
@@ -178,6 +184,14 @@ class Oracle:
 
     def _in_hand(self) -> str | None:
         return next(iter(self._truth.contacts.in_pads_only()), None)
+
+
+def _is_of_another_size(volumes_m3: Mapping[str, float], name: str, other: str) -> bool:
+    """Whether a thing that was told beside the right one is none that could be taken for it."""
+    if name == other:
+        return False
+    one_m3, other_m3 = volumes_m3.get(name, 0.0), volumes_m3[other]
+    return max(one_m3, other_m3) > _ALIKE * min(one_m3, other_m3)
 
 
 def oracle_for(assembly: Assembly, trial: Trial, rng: np.random.Generator) -> Oracle:

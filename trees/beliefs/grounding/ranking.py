@@ -62,8 +62,8 @@ def sized(size: str, fitting: list[BelievedThing], noun: str) -> list[BelievedTh
 
 
 def compares_all(size: str | None) -> bool:
-    """Whether a word of size means the extreme of all: "biggest", "bigger"."""
-    return size is not None and size.endswith(("st", "er"))
+    """Whether a word is one of size, and means the extreme of all: "biggest", "bigger"."""
+    return size is not None and size in _SIZES and size.endswith(("st", "er"))
 
 
 _NUMBERS: Mapping[str, int] = MappingProxyType(

@@ -163,9 +163,10 @@ class TellDescription(TellingLeaf):
     def _one(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> Status | Failure:
-        meant = ground(wanted, around, None if self.region(source) is not None else source)
-        if isinstance(meant, Ambiguous) and wanted.ordinal is None and compares_all(wanted.size):
-            return self._of_one_size(wanted, meant, around, source)
+        if compares_all(wanted.size) and wanted.ordinal is None:
+            several = self._of_one_size(wanted, around, source)
+            if several is not None:
+                return several
         names = self.fitting(wanted, around, source)
         if isinstance(names, Failure):
             return names
@@ -196,12 +197,19 @@ class TellDescription(TellingLeaf):
         )
 
     def _of_one_size(
-        self, wanted: ObjectDescription, alike: Ambiguous, around: Surroundings, source: Destination | None
-    ) -> Status | Failure:
-        """Nobody is asked back which of them is the biggest: that several are about as big is the answer."""
+        self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
+    ) -> Status | Failure | None:
+        """Tell all that are about as big, and ask nobody back; None where it is one, or the kind is unclear."""
+        region = self.region(source)
+        alike = ground(wanted, around, None if region is not None else source)
+        compared = self.fitting(replace(wanted, size=None), around, source)
+        if not isinstance(alike, Ambiguous) or isinstance(compared, Failure):
+            return None
+        names = self.inside(region, (choice.name for choice in alike.choices))
+        if len(names) < 2:
+            return None
         if (far := self.too_far(source, around)) is not None:
             return far
-        names = self.inside(self.region(source), (choice.name for choice in alike.choices))
         called = [f"the {thing.words}" for thing in around.things if thing.name in names]
         words, hidden = f"{listed(called)} are of nearly one size", self.much_is_hidden()
         words = f"none is clearly the {wanted.size}: {words}"

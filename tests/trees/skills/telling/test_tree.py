@@ -191,6 +191,15 @@ def test_where_several_are_of_one_size_all_are_told_and_nobody_is_asked_back(sta
     assert {"red cup", "blue cup"} <= set(tree.evidence["names"].split(", "))
 
 
+def test_of_a_size_that_cannot_be_seen_nothing_is_said(stage_with):
+    stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
+
+    tree = run(stage, DescribeTask("which one", ObjectDescription(size="prettiest"), source="table"))
+
+    assert tree.failure.root.message == "which one is prettiest? that cannot be seen"
+    assert said(stage) == []
+
+
 def test_which_is_the_biggest_on_a_table_far_away_is_not_told_from_there(new_stage):
     far = dataclasses.replace(table(), world_T_object=poses.translation(1.9, 0.0, 0.4))
     stage = new_stage(
