@@ -199,7 +199,7 @@ class TellDescription(TellingLeaf):
     def _of_one_size(
         self, wanted: ObjectDescription, around: Surroundings, source: Destination | None
     ) -> Status | Failure | None:
-        """Tell all that are about as big, and ask nobody back; None where it is one, or the kind is unclear."""
+        """Tell all that are about as big, and ask nobody back; None where it is one, or the kind unclear."""
         region = self.region(source)
         alike = ground(wanted, around, None if region is not None else source)
         compared = self.fitting(replace(wanted, size=None), around, source)
