@@ -12,10 +12,10 @@ Flags = NDArray[np.bool_]
 
 
 @compiled
-def add_travel(travel: Array, v_before: Array, v: Array, half_period_s: float) -> None:
-    """Add one period's way to ``travel``, and keep its speed in ``v_before``; shape (n,) each."""
+def add_travel(travel: Array, v_before: Array, v: Array, half_s: float) -> None:
+    """Add the way of twice ``half_s`` to ``travel``, and keep its speed in ``v_before``; shape (n,) each."""
     for j in range(travel.shape[0]):
-        travel[j] += half_period_s * (v_before[j] + v[j])
+        travel[j] += half_s * (v_before[j] + v[j])
         v_before[j] = v[j]
 
 

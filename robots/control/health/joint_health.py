@@ -6,7 +6,8 @@ Three redundancies, none of which a touch disturbs:
 * a joint whose setpoint moves, and which does not move at all, is stuck; something that the arm touches
   gives way, or was reached on the way, so that the joint has moved for a part of the time;
 * the speed is measured on the motor's side and the position on the joint's: where the one does not add
-  up to the change of the other, the encoder has slipped.
+  up to the change of the other, the encoder has slipped. Over a wire periods pass in which no state comes,
+  and two come in others: it is the time between readings that counts.
 """
 
 from __future__ import annotations
@@ -80,6 +81,7 @@ class JointHealth:
         self._stuck = np.zeros(n, dtype=np.bool_)
         self._travel, self._slipped, self._v = np.zeros(n), np.zeros(n), np.zeros(n)
         self._origin: Array | None = None
+        self._measured_s = 0.0
         self._periods = 0
         self.off_rad, self.bent = np.zeros(n), False
         self._behind_s = np.zeros(n)
@@ -112,7 +114,10 @@ class JointHealth:
             origin = self._origin = q.copy()
             self._v[:] = v
             self._travel[:] = 0.0
-        add_travel(self._travel, self._v, v, 0.5 * self._period_s)
+            self._measured_s = state.stamp_s - state.age_s
+        passed_s = state.stamp_s - state.age_s - self._measured_s
+        self._measured_s += passed_s
+        add_travel(self._travel, self._v, v, 0.5 * passed_s)
         self._periods += 1
         if self._periods % _EVERY:
             return []

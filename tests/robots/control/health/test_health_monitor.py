@@ -45,7 +45,8 @@ class Body:
         self.tau = np.zeros(len(self.q))
         self.tau[self.index(ELBOW)] = 20.0
         self.monitor = HealthMonitor(model, hardware, PERIOD_S)
-        self.periods, self.new, self.over = 0, [], []
+        self.t_s, self.new, self.over = 0.0, [], []
+        self.passes_s = PERIOD_S  # between two periods; over a wire it is not what it is meant to be
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
         self.lean_rad, self.stepping, self.estimated, self.following = 0.0, False, False, True
@@ -56,10 +57,10 @@ class Body:
 
     def run(self, seconds, speed_rad_s=0.0, joint=ELBOW):
         for _ in range(round(seconds / PERIOD_S)):
-            self.periods += 1
+            self.t_s += self.passes_s
             v = np.zeros(len(self.q))
             v[self.index(joint)] = speed_rad_s
-            wanted = self.wanted = getattr(self, "wanted", self.q.copy()) + v * PERIOD_S
+            wanted = self.wanted = getattr(self, "wanted", self.q.copy()) + v * self.passes_s
             lag = self.touch / self.stiffness
             q = wanted - lag
             for name in self.stuck:
@@ -69,7 +70,7 @@ class Body:
             feet = np.zeros((2, 6))
             feet[:, 2] = self.load
             state = RobotState(
-                self.periods * PERIOD_S,
+                self.t_s,
                 q + self.offset,
                 v - self.slower_rad_s,
                 effort,
@@ -126,6 +127,16 @@ def test_a_healthy_robot_is_left_alone_at_rest_and_on_the_move(body):
     body.run(1.0)
     body.run(1.0, speed_rad_s=0.5)
     body.run(1.0)
+
+    assert not body.new
+
+
+@pytest.mark.parametrize("share", [0.6, 1.2])
+def test_no_encoder_has_slipped_where_more_or_less_time_passes_than_a_period(body, share):
+    body.run(0.5)
+    body.passes_s = share * PERIOD_S
+    body.run(1.0, speed_rad_s=0.5)
+    body.run(0.5)
 
     assert not body.new
     assert body.monitor.reasons(Response.STOP) == body.monitor.reasons(Response.REFUSE) == ()
