@@ -9,7 +9,6 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
@@ -34,14 +33,11 @@ def levelled(
     """
     if all(pose[2, 2] >= _LEVEL for pose in soles.values()):
         return dict(soles), q
-    flat = LegIk(StandingRobot(model, Stance(tuple((frame, np.eye(4)) for frame in soles)))).geometry
-    frames = {sole.side: sole.frame for sole in model.description.soles}
-    found = dict(soles)
-    for side, leg in zip(HANDS, flat, strict=True):
-        pose = soles[frames[side]]
+    found = {}
+    for frame, pose in soles.items():
         turn = poses.rotation_z(poses.yaw_of(pose[:3, :3]))
-        ankle = pose[:3, :3] @ leg.ankle_m + pose[:3, 3]
-        found[frames[side]] = poses.transform(turn, ankle - turn @ leg.ankle_m)
+        ankle_m = model.pin.frames[model.frame_id(frame)].placement.inverse().translation
+        found[frame] = poses.transform(turn, pose[:3, :3] @ ankle_m + pose[:3, 3] - turn @ ankle_m)
     legs = q[np.newaxis].copy()
     LegIk(StandingRobot(model, Stance(tuple(found.items())))).fill(legs)
     return found, legs[0]

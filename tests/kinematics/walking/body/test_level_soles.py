@@ -11,9 +11,9 @@ from kinematics.walking.body.level_soles import levelled
 from robots.models.description import load_description
 
 
-@pytest.fixture(scope="module")
-def model():
-    return RobotModel(load_description("talos"))
+@pytest.fixture(scope="module", params=["talos", "g1"])
+def model(request):
+    return RobotModel(load_description(request.param))
 
 
 def soles_of(model, q):
