@@ -6,9 +6,14 @@ import math
 import pytest
 
 from robots.scenes.importing.import_object import import_object
+from robots.scenes.scene_file import load_scene
 from tests import foreign_meshes as foreign
 from tools.evaluate.__main__ import main
+from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.records import broken_episode
+from tools.evaluate.report import save_scenes
 from tools.evaluate.skills.episode import trial_of
+from tools.evaluate.skills.summary import SkillSummary
 from tools.evaluate.upon.things import _radius_m
 
 SEEDS = range(12)
@@ -58,6 +63,16 @@ def test_the_table_suits_the_robot(pool):
 
     assert 0.70 <= on_bench.size_m[2] <= 0.80
     assert max(table.size_m[2] for table in standing) > 0.80
+
+
+def test_the_scene_that_is_kept_of_a_failure_is_the_one_that_the_robot_had(pool, tmp_path):
+    broken = broken_episode(EpisodeOrder(3, robot="panda"), RuntimeError("it broke"))
+    summary = SkillSummary("things", 3, None, 0.02, [broken], str(pool))
+
+    (file,) = save_scenes(summary, tmp_path, "panda").values()
+
+    had = trial_of("things", 3, str(pool), "panda").scene
+    assert load_scene(str(file)).furniture[0].size_m == pytest.approx(had.furniture[0].size_m)
 
 
 def test_a_scene_of_which_no_hand_can_take_anything_is_refused_by_its_name(pool):

@@ -239,7 +239,7 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
     )
     if options.json is not None:
         options.json.write_text(json.dumps(summary.to_json(), indent=1) + "\n", "utf-8")
-    scenes = save_scenes(summary, options.failed)
+    scenes = save_scenes(summary, options.failed, options.robot)
     print_summary(summary, scenes, Console(), options.robot, seeing)
     return 0 if all(bar.met for bar in summary.bars()) else 1
 

@@ -20,21 +20,21 @@ from tools.evaluate.skills.registry import SKILL_SUITES
 _SHOWN = 25
 
 
-def save_scenes(summary: Summary, folder: Path) -> dict[int, Path]:
-    """Write the scene of every episode that went wrong; returns the file of each seed."""
+def save_scenes(summary: Summary, folder: Path, robot: str = "talos") -> dict[int, Path]:
+    """Write the scene of every episode of a robot that went wrong; returns the file of each seed."""
     files = {}
     for record in summary.records:
         if record.bad:
             folder.mkdir(parents=True, exist_ok=True)
             name = f"{summary.suite}-{record.seed}" + (f"-{record.fault}" if record.fault else "")
             files[record.seed] = folder / f"{name}.toml"
-            files[record.seed].write_text(_scene_text(summary, record), "utf-8")
+            files[record.seed].write_text(_scene_text(summary, record, robot), "utf-8")
     return files
 
 
-def _scene_text(summary: Summary, record: EpisodeRecord) -> str:
+def _scene_text(summary: Summary, record: EpisodeRecord, robot: str) -> str:
     if summary.suite in SKILL_SUITES:
-        return dump(trial_of(summary.suite, record.seed, summary.scene).scene)
+        return dump(trial_of(summary.suite, record.seed, summary.scene, robot).scene)
     if summary.suite == "question":
         return dump(ambiguous_trial(record.seed).scene)
     return episode_scene(record.seed, record.fault, summary.scene)
