@@ -12,6 +12,7 @@ from robots.scenes.scene_file import load_scene
 from robots.simulated.world import build_world
 
 MOST_MIB = 200
+LEAST_LET_GO_MIB = 20.0
 SAME = ("body_mass", "body_inertia", "body_ipos", "dof_damping", "jnt_range", "actuator_gainprm", "qpos0")
 
 
@@ -62,6 +63,34 @@ for _ in range(4):
 status = pathlib.Path("/proc/self/status").read_text()
 print(int(status.partition("VmHWM:")[2].split()[0]) // 1024)
 """
+
+
+LET_GO = """
+import pathlib
+import numpy as np
+import numba
+from robots.simulated.frugal_memory import let_go_of_compiler
+
+@numba.njit
+def doubled(a):
+    return 2.0 * a
+
+def resident_mib():
+    return int(pathlib.Path("/proc/self/status").read_text().partition("RssFile:")[2].split()[0]) / 1024.0
+
+assert doubled(np.ones(3))[0] == 2.0
+before = resident_mib()
+let_go_of_compiler()
+let_go = before - resident_mib()
+assert doubled(np.ones((3, 1)))[0, 0] == 2.0  # another signature: the compiler is wanted again
+print(let_go)
+"""
+
+
+def test_a_compiler_that_is_let_go_of_is_there_when_it_is_wanted_again():
+    found = subprocess.run([sys.executable, "-c", LET_GO], capture_output=True, text=True, check=True)
+
+    assert float(found.stdout) > LEAST_LET_GO_MIB
 
 
 def test_worlds_one_after_the_other_do_not_add_up():

@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
 from robots.clock import WallClock
-from robots.simulated.frugal_memory import be_frugal, give_back
+from robots.simulated.frugal_memory import be_frugal, give_back, let_go_of_compiler
 
 DEATHS = 5
 """An order is tried again when its process dies, and given up when so many have died of it."""
@@ -65,6 +65,7 @@ class Ended(Generic[Order, Record]):
 def run_tidily(run: Callable[[Order], Record], order: Order) -> tuple[Record, Cost]:
     """Run one order here, and say what it took."""
     be_frugal()
+    let_go_of_compiler()
     give_back(garbage=True)  # a world that nobody holds any more is in no hurry to go by itself
     clock, began_processor_s = WallClock(), time.process_time()
     record = run(order)
