@@ -36,6 +36,7 @@ def imported():
     return {name: Path(file) for name, file in rows if not name.startswith(NO_PART_OF_IT)}
 
 
+@pytest.mark.requirement("L9")
 def test_what_a_parse_imports_has_few_lines(imported):
     lines = {name: lines_of([file]) for name, file in imported.items()}
 

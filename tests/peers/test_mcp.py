@@ -102,6 +102,7 @@ def test_a_look_brings_a_picture_that_decodes(talk, kind):
     assert isinstance(json.loads(things.text)["things"], list)
 
 
+@pytest.mark.requirement("A2")
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_task_is_followed_to_its_end_and_brings_its_evidence(talk, kind):
     progress = []
@@ -176,7 +177,7 @@ def test_a_call_that_the_client_cancels_ends_the_task(talk, kind):
     assert talk(kind, dialogue)["message"].startswith("cancelled: the client cancelled its call")
 
 
-@pytest.mark.requirement("S4")
+@pytest.mark.requirement("S4", "A2")
 @pytest.mark.parametrize("kind", ["http", "stdio"])
 def test_a_stop_latches_and_no_tool_resets_it(served, talk, kind):
     async def dialogue(client):

@@ -41,6 +41,7 @@ def listening():
     return {line.split()[3] for line in told.splitlines() if "raylet" in line or "gcs_server" in line}
 
 
+@pytest.mark.requirement("U7")
 def test_every_episode_is_recorded_once_and_as_by_processes_though_workers_die(tmp_path, monkeypatch):
     monkeypatch.setenv("BEEN_THERE", str(tmp_path))
     kept = tmp_path / "kept.jsonl"

@@ -48,6 +48,7 @@ def hold(body, clock, until, within_s=60.0):
     return False
 
 
+@pytest.mark.requirement("U8")
 def test_joints_follow_over_dds_with_2_ms_of_delay_and_a_lost_percent(referee):
     referee("--delay-ms", "2", "--loss", "0.01")
     clock = WallClock()

@@ -78,6 +78,7 @@ def test_a_foreign_page_gets_no_connection(page, served):
     assert ended == "refused"
 
 
+@pytest.mark.requirement("U6")
 def test_a_typed_command_moves_the_drawn_robot_and_is_done(commanding, served):
     time.sleep(2.0)
     before = picture(commanding)
@@ -88,6 +89,7 @@ def test_a_typed_command_moves_the_drawn_robot_and_is_done(commanding, served):
     assert picture(commanding) != before
 
 
+@pytest.mark.requirement("U6")
 def test_a_question_is_answered_by_its_button(commanding, served):
     say(commanding, "pick up the cup")
     until(lambda: served.robot.status()["question"] is not None)
@@ -108,6 +110,7 @@ def test_the_page_goes_on_after_the_executive_was_killed(commanding, served):
     until(lambda: served.robot.status()["task"] is None)
 
 
+@pytest.mark.requirement("U6")
 def test_stop_latches_in_mid_motion_and_is_told(commanding, served):
     say(commanding, "wave")
     until(lambda: served.robot.status()["task"] is not None)

@@ -106,6 +106,7 @@ def held(timeline):
     return before_s == timeline.t_s < timeline.ends_s
 
 
+@pytest.mark.requirement("U6")
 def test_the_drawn_robots_move_with_the_time(page, timeline):
     time.sleep(3.0)
     before = page.screenshot()

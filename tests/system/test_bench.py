@@ -12,6 +12,7 @@ def on_the_bench(seed, scene="bench"):
     return EpisodeOrder(seed, robot="panda", scene=scene)
 
 
+@pytest.mark.requirement("U8")
 @pytest.mark.parametrize("scene", ["bench", "bench_clutter"])
 def test_a_cup_is_picked_and_truly_held(scene):
     record = run_episode(on_the_bench(2, scene))
@@ -21,6 +22,7 @@ def test_a_cup_is_picked_and_truly_held(scene):
     assert not record.furniture_contacts
 
 
+@pytest.mark.requirement("U8")
 @pytest.mark.parametrize("suite", ["place", "put_in", "point_at", "find", "count", "describe"])
 def test_a_skill_is_truly_done(suite):
     record = run_skill_episode(suite, on_the_bench(1))

@@ -41,7 +41,7 @@ def done(scene_file, seed, sentence):
 
 
 @pytest.mark.slow
-@pytest.mark.requirement("M2")
+@pytest.mark.requirement("M2", "P4")
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_thing_of_a_mesh_is_picked_up_by_its_label_and_truly_held(tmp_path, seed):
     rng = np.random.default_rng(seed)
@@ -57,7 +57,7 @@ def test_a_thing_of_a_mesh_is_picked_up_by_its_label_and_truly_held(tmp_path, se
 
 
 @pytest.mark.slow
-@pytest.mark.requirement("M2")
+@pytest.mark.requirement("M2", "P4")
 def test_a_thing_of_a_mesh_is_put_beside_another_and_stands_there(tmp_path):
     rng = np.random.default_rng(5)
     file = scene_with(tmp_path, rng, foreign.bottle(), foreign.carton(), "ketchup")
@@ -71,7 +71,7 @@ def test_a_thing_of_a_mesh_is_put_beside_another_and_stands_there(tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.requirement("M2")
+@pytest.mark.requirement("M2", "P4")
 def test_what_no_hand_can_take_is_refused_with_the_reason_and_stays(tmp_path):
     rng = np.random.default_rng(7)
     file = scene_with(tmp_path, rng, foreign.plate(), foreign.carton(), "dinner plate")

@@ -74,6 +74,7 @@ def test_a_file_that_is_no_journal_is_refused_by_its_line(tmp_path, capsys):
     assert "line 1: format: Field required" in capsys.readouterr().err
 
 
+@pytest.mark.requirement("U7")
 def test_an_interval_is_wilsons():
     assert interval(19, 20) == pytest.approx((0.7639, 0.9911), abs=1e-4)
     assert interval(97, 100) == pytest.approx((0.9155, 0.9897), abs=1e-4)

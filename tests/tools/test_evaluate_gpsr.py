@@ -55,6 +55,7 @@ def test_things_that_are_called_by_their_look_look_like_no_other(trial):
     assert [look for look in plain if looks.count(look) > 1] == []
 
 
+@pytest.mark.requirement("U7")
 def test_commands_are_understood_in_their_arena():
     lost = []
     for trial in TRIALS:

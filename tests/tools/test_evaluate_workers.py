@@ -173,6 +173,7 @@ def slowly(order: EpisodeOrder) -> EpisodeRecord:
     return fine(order)
 
 
+@pytest.mark.requirement("U7")
 @pytest.mark.minutes
 @pytest.mark.timeout(600)
 def test_a_run_that_is_killed_again_and_again_loses_no_episode_and_doubles_none(tmp_path):

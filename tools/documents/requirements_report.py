@@ -2,7 +2,8 @@
 are not.
 
 The rows are those of ``docs/reference/requirements.md``. A row is proven when at least one test that carries
-its id ran and every one that ran passed; skipped tests prove nothing.
+its id ran and every one that ran passed; skipped tests prove nothing. Those beside other programs run after
+the others, one at a time: a browser or a node waits for a robot in real time.
 """
 
 from __future__ import annotations
@@ -19,7 +20,10 @@ import pytest
 from rich.console import Console
 from rich.table import Table
 
-REQUIREMENTS = Path(__file__).parents[2] / "docs" / "reference" / "requirements.md"
+ROOT = Path(__file__).parents[2]
+REQUIREMENTS, TESTS = ROOT / "docs" / "reference" / "requirements.md", ROOT / "tests"
+PEERS = TESTS / "peers"
+_MARK, _NAME = re.compile(r"mark\.requirement\(([^)]*)\)"), re.compile(r'"(\w+)"')
 _ROW = re.compile(r"^\| (?P<id>[A-Z]+\d+) \| (?P<text>.+?) \|(?: (?P<more>.+?) \|)?$")
 
 
@@ -78,6 +82,12 @@ def requirement_rows(text: str) -> dict[str, str]:
     return rows
 
 
+def marked_names(tests: Path = TESTS) -> set[str]:
+    """The ids that tests carry, as their files say."""
+    marks = (mark for file in tests.rglob("*.py") for mark in _MARK.findall(file.read_text("utf-8")))
+    return {name for mark in marks for name in _NAME.findall(mark)}
+
+
 def verdicts(rows: Mapping[str, str], counts: Mapping[str, Mapping[str, int]]) -> list[Verdict]:
     """One verdict a row; ids that no row has come last, as failures of the marks themselves."""
     unknown = dict.fromkeys(sorted(set(counts) - set(rows)), "(no such requirement)")
@@ -110,7 +120,9 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2, help="processes that run tests")
     options = parser.parse_args()
     collector = Collector()
-    pytest.main(["-q", "-m", "requirement", "-n", str(options.jobs), "--tb=line"], plugins=[collector])
+    usual = ["-q", "-m", "requirement", "--tb=line"]
+    pytest.main([*usual, "-n", str(options.jobs)], plugins=[collector])
+    pytest.main([*usual, "--peers", str(PEERS)], plugins=[collector])
     found = verdicts(requirement_rows(REQUIREMENTS.read_text("utf-8")), collector.counts)
     print_table(found, Console(width=140))
     return 1 if any(verdict.failed for verdict in found) else 0

@@ -13,6 +13,7 @@ def why(sentence, labels=LABELS):
     return None if told is None else told.message
 
 
+@pytest.mark.requirement("L11")
 @pytest.mark.parametrize("sentence", ["find the rubik's cube", "pick up the rubik's cube"])
 def test_a_thing_that_looks_like_nothing_known_is_said_at_once(sentence):
     assert why(sentence).startswith("I do not know what a rubik's cube looks like; I can find ")
@@ -22,6 +23,7 @@ def test_what_is_spelled_most_alike_is_told_first():
     assert "I can find a soda" in why("walk to the sofa")
 
 
+@pytest.mark.requirement("L11")
 @pytest.mark.parametrize(
     "sentence",
     [
@@ -41,6 +43,7 @@ def test_what_can_be_told_or_is_no_thing_is_let_pass(sentence):
     assert why(sentence) is None
 
 
+@pytest.mark.requirement("L11")
 @pytest.mark.parametrize("sentence", ["put the cup next to the towel", "is there a towel on the table?"])
 def test_what_something_is_compared_with_has_to_be_known_too(sentence):
     assert "what a towel looks like" in why(sentence)

@@ -27,6 +27,7 @@ def measured(commands):
     return wrong, lost
 
 
+@pytest.mark.requirement("L9")
 @pytest.mark.parametrize(("category", "at_most_lost"), [("objects", 0.03), ("people", 0.05)])
 def test_commands_of_the_field_are_understood_and_none_is_misunderstood(category, at_most_lost):
     wrong, lost = measured(getattr(Drawn(2026), category)(MANY))

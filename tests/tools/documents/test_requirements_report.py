@@ -1,6 +1,6 @@
 """The report of requirements says what is proven, and nothing more."""
 
-from tools.documents.requirements_report import REQUIREMENTS, requirement_rows, verdicts
+from tools.documents.requirements_report import REQUIREMENTS, marked_names, requirement_rows, verdicts
 
 ROWS = {"A1": "walks", "A2": "talks", "A3": "sees", "A4": "hears"}
 
@@ -27,7 +27,11 @@ def test_rows_are_read_with_every_column():
     assert requirement_rows(text) == {"F7": "battery low: put down", "U5": "installs"}
 
 
+def test_every_row_is_carried_by_a_test_and_every_mark_names_a_row():
+    assert marked_names() == set(requirement_rows(REQUIREMENTS.read_text("utf-8")))
+
+
 def test_the_published_tables_hold_the_rows_of_every_group():
     groups = {name[0] for name in requirement_rows(REQUIREMENTS.read_text("utf-8"))}
 
-    assert groups == {"L", "S", "M", "P", "F", "U"}
+    assert groups == {"L", "S", "M", "P", "A", "F", "U"}

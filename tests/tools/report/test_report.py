@@ -33,6 +33,7 @@ def record(name="pick", good=3):
     )  # fmt: skip
 
 
+@pytest.mark.requirement("U7")
 @pytest.mark.parametrize("name", pages(MEASURED))
 def test_a_page_is_what_the_report_makes_of_the_records(name):
     told = "run python -m tools.report --pages"
@@ -51,6 +52,7 @@ def test_records_take_little_room_and_each_is_of_a_run_that_there_is():
     assert {file.stem for file in files} <= {run.name for run in RUNS}
 
 
+@pytest.mark.requirement("U7")
 def test_every_suite_is_in_the_report():
     assert set(SUITES) - {run.suite for run in RUNS} == NOT_REPORTED
 
@@ -112,6 +114,7 @@ def test_a_wrong_name_is_refused_before_anything_is_run(tmp_path, capsys):
     assert not (tmp_path / "work").exists()
 
 
+@pytest.mark.requirement("U7")
 def test_a_report_that_is_killed_goes_on_where_it_was(tmp_path):
     command = [sys.executable, "-m", "tools.report", "--only", "say", "wait", "--episodes", "1"]
     command += ["--work", str(tmp_path / "work"), "--into", str(tmp_path / "measured")]

@@ -58,6 +58,7 @@ def until(so):
     raise AssertionError
 
 
+@pytest.mark.requirement("U6")
 def test_the_tree_and_its_statuses_are_those_of_the_served_robot(served, port):
     until(lambda: served.watched)
     served.show(lambda watchers: watchers.tree(lambda: snapshot("running"), 1.0, number=4))

@@ -38,6 +38,7 @@ async def begun(client, text="wave"):
     return (await called(client, "start_task", text=text))["run"]
 
 
+@pytest.mark.requirement("A2")
 def test_there_are_few_tools_and_none_resets(served):
     async def dialogue(client):
         return {tool.name for tool in (await client.list_tools()).tools}
@@ -75,6 +76,7 @@ def test_a_command_is_checked_and_nothing_begins(served, text, outcome):
     assert served.said == []
 
 
+@pytest.mark.requirement("A2")
 def test_a_task_is_begun_by_one_call_and_its_end_told_by_another(served):
     async def dialogue(client):
         return await called(client, "task_status", run=await begun(client), wait_s=10.0)
@@ -95,7 +97,7 @@ def test_the_name_of_a_file_is_a_sentence_to_a_model_and_no_script(served, tmp_p
     assert [type(one) for one in served.said] == [Say]
 
 
-@pytest.mark.requirement("L6")
+@pytest.mark.requirement("L6", "A2")
 def test_a_client_that_can_ask_a_person_puts_the_question_and_the_answer_goes_on(served):
     served.asks, asked = True, []
 
@@ -128,7 +130,7 @@ def test_a_client_that_cannot_gets_the_question_and_answers_by_a_tool(served):
     assert told["outcome"] == "done"
 
 
-@pytest.mark.requirement("S7")
+@pytest.mark.requirement("S7", "A2")
 def test_a_cancel_halts_the_task(served):
     served.holds = True
 
@@ -320,7 +322,7 @@ def test_a_stop_stops_whatever_its_reason_holds(served, reason):
     assert len(served.stops) == 1
 
 
-@pytest.mark.requirement("S4")
+@pytest.mark.requirement("S4", "A2")
 def test_the_stop_reaches_the_control_and_says_who_resets(served):
     async def dialogue(client):
         return await called(client, "stop", category=2, reason="too close")

@@ -61,6 +61,7 @@ def test_a_run_that_is_recorded_in_motion_has_the_events_of_one_that_is_not(plai
     assert fed.report["events_sha256"] == plain.report["events_sha256"]
 
 
+@pytest.mark.requirement("A3")
 def test_what_was_recorded_is_what_comes_when_it_is_carried_out_again(fed):
     recorded, (again, _) = recording_of(fed), recorded_again(fed, lambda _line: None)
     there = {one.t_s: one for one in recorded.moments}

@@ -83,6 +83,7 @@ def is_whole(path):
     return path.exists() and path.read_bytes()[-8:] == b"\x89MCAP0\r\n" and path.stat().st_size > 1000
 
 
+@pytest.mark.requirement("A3")
 def test_a_run_is_recorded_from_its_beginning_to_its_end(served, moving, recorder, tmp_path):
     tree = TreeSnapshot(2.0, 0, NodeSnapshot("pick", "sequence", "running", "1 of 3"))
     served.show(lambda watchers: watchers.run_begins(str(tmp_path)))

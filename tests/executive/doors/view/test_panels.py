@@ -77,6 +77,7 @@ def test_an_emergency_stop_and_a_silent_executive_are_told():
     assert "no answer" in told
 
 
+@pytest.mark.requirement("U6")
 def test_a_failure_is_told_link_by_link_with_its_numbers():
     cause = Failure.postcondition("nothing between the fingers", opening_m=0.001).at("pick/close")
     failure = Failure(FailureKind.EXECUTION, "the cup was not picked up", cause=cause)

@@ -21,6 +21,7 @@ def answered(stage, question, identity=TALLY, calendar=NEW_YEARS_EVE):
     return said(stage)
 
 
+@pytest.mark.requirement("L12")
 @pytest.mark.parametrize(
     ("question", "words"),
     [

@@ -38,6 +38,7 @@ def test_the_person_who_is_named_is_waved_to_and_told_hello(stage_with):
     assert [(e.text, e.to) for e in stage.events if isinstance(e, Said)] == [("Hello, Ana!", "Ana")]
 
 
+@pytest.mark.requirement("L12")
 def test_who_is_described_by_what_is_seen_is_greeted(stage_with):
     stage = stage_with(ANA, SITTING)
 

@@ -52,6 +52,7 @@ def test_it_says_where_it_leads_and_that_it_has_arrived(leads):
     assert said(stage) == ["Please follow me to the hall.", "Here we are: the hall."]
 
 
+@pytest.mark.requirement("L12")
 def test_what_proves_it_is_that_both_are_there(leads):
     _, tree = leads()
 

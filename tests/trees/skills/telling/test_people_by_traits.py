@@ -18,6 +18,7 @@ def of(*traits):
     return ObjectDescription("person", traits=traits)
 
 
+@pytest.mark.requirement("L12")
 @pytest.mark.parametrize(
     ("traits", "words"),
     [
