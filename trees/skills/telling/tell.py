@@ -201,7 +201,7 @@ class TellDescription(TellingLeaf):
     ) -> Status | Failure | None:
         """Tell all that are about as big, and ask nobody back; None where it is one, or the kind unclear."""
         region = self.region(source)
-        alike = ground(wanted, around, None if region is not None else source)
+        alike = ground(wanted, self.of_room(region, around), None if region is not None else source)
         compared = self.fitting(replace(wanted, size=None), around, source)
         if not isinstance(alike, Ambiguous) or isinstance(compared, Failure):
             return None

@@ -16,7 +16,7 @@ from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.furniture_called import called_so, is_said_of
-from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture
+from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, ground, ground_furniture, says_which
 from trees.beliefs.grounding.person_words import people_who
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in, plural
@@ -107,6 +107,8 @@ class TellingLeaf(Leaf):
                 return shut
         people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
         at = None if region is not None else source
+        if says_which(wanted):
+            around = self.of_room(region, around)
         if people is not None and isinstance(at, str) and wanted.relation is None:
             wanted, at = replace(wanted, relation=Relation("next_to", at)), None
         answer = ground(wanted, around, at, "all", people)
@@ -187,6 +189,10 @@ class TellingLeaf(Leaf):
         return tuple(
             name for name, (x, y) in places.items() if region is None or region.contains(float(x), float(y))
         )
+
+    def of_room(self, region: Region | None, around: Surroundings) -> Surroundings:
+        """What is believed, with no objects but those in a room: sizes and orders compare these alone."""
+        return around.only(self.inside(region, (thing.name for thing in around.objects)))
 
     def furniture(self, around: Surroundings, region: Region | None) -> list[str]:
         """What stands in a room, or anywhere without one, each once: "the counter", "the fridge"."""

@@ -191,6 +191,20 @@ def test_where_several_are_of_one_size_all_are_told_and_nobody_is_asked_back(sta
     assert {"red cup", "blue cup"} <= set(tree.evidence["names"].split(", "))
 
 
+def test_the_biggest_in_a_room_is_compared_with_nothing_in_another(stage_with):
+    tall = TrueObject("white box", "object", "box", "white", Box((0.08, 0.1, 0.2)), at(0.5, 0.3))
+    tiny = TrueObject("red ball", "object", "ball", "red", Ball(0.03), at(0.5, -0.35))
+    stage = stage_with(table(), cup(), tall, tiny)
+    half = {"hall": Region("hall", (0.6, -0.5), (2.0, 1.1))}
+
+    tree = run(
+        stage, DescribeTask("which one", ObjectDescription(size="biggest"), source="hall"), places=half
+    )
+
+    assert tree.status == "success"
+    assert tree.evidence["names"] == "red cup"
+
+
 def test_of_a_size_that_cannot_be_seen_nothing_is_said(stage_with):
     stage = stage_with(table(), cup(), cup("blue cup", "blue", (0.5, 0.1)))
 
