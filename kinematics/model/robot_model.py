@@ -199,6 +199,12 @@ class RobotModel(Derivable):
         """The home posture, standing at the origin or where it is mounted, shape (nq,)."""
         return self.on_the_floor({})
 
+    @cached_property
+    def imu_up(self) -> Array:
+        """Which way is up in the IMU's frame while the robot is at home, shape (3,); z without an IMU."""
+        imu = self.description.imu
+        return np.array([0.0, 0.0, 1.0]) if imu is None else self.frame_pose(self.q_home, imu)[2, :3].copy()
+
     def frame_pose(self, q: Array, frame: str) -> Transform:
         """``world_T_frame`` at a configuration."""
         frame_id = self.frame_id(frame)

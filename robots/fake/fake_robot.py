@@ -8,9 +8,10 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.model.robot_description import RobotDescription
+from kinematics.model.robot_model import RobotModel
 from robots.clock import Clock
 from robots.errors import SetpointRefusedError
-from robots.interface.hardware import Hardware, RobotData
+from robots.interface.hardware import Hardware
 from robots.interface.robot import JointSetpoint, RobotState
 
 _GRAVITY_M_S2 = 9.81
@@ -25,17 +26,17 @@ class FakeRobot:
         effort: What the effort sensors read, Nm, shape (n,); another array is set by whoever plays the world.
     """
 
-    def __init__(self, data: RobotData, clock: Clock) -> None:
+    def __init__(self, model: RobotModel, hardware: Hardware, clock: Clock) -> None:
         """Stand at home, hands open."""
-        description = data.description
+        description = model.description
         self.stuck: set[str] = set()
         self.effort: Array = np.zeros(len(description.actuated))
-        self._description, self._hardware = description, data.hardware
+        self._description, self._hardware = description, hardware
         self._clock = clock
         self._q = np.array([description.home[name] for name in description.actuated])
         self._v = np.zeros_like(self._q)
         feet = len(description.soles)
-        self._accelerometer = np.array([0.0, 0.0, _GRAVITY_M_S2])
+        self._accelerometer = _GRAVITY_M_S2 * model.imu_up
         self._wrench = np.tile([0.0, 0.0, _WEIGHT_N / max(feet, 1), 0.0, 0.0, 0.0], (feet, 1))
 
     @property

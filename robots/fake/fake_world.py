@@ -27,7 +27,7 @@ from robots.fake.fake_walking import FakeWalking
 from robots.fake.fake_yielding import FakeYielding
 from robots.fake.scripted_detector import ScriptedDetector
 from robots.fake.scripted_world import ScriptedWorld
-from robots.interface.hardware import Hardware, RobotData
+from robots.interface.hardware import Hardware
 from robots.interface.robot import RobotState
 from robots.interface.sensed_state import SensedState
 from robots.perception.truth_view import TrueObject
@@ -70,7 +70,7 @@ class FakeWorld:
         """
         self.model, self.clock = model, ManualClock()
         self.pull_n: dict[Hand, tuple[float, float, float]] = {}
-        self.robot = FakeRobot(RobotData(model.description, hardware), self.clock)
+        self.robot = FakeRobot(model, hardware, self.clock)
         self.motion = FakeMotion(model, self.clock)
         self._q = self.motion.reference()
         self._placed: tuple[NDArray[np.float64], list[float]] | None = None

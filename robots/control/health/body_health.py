@@ -1,13 +1,14 @@
-"""Gyro, feet, battery and the loop's own pace."""
+"""Gyro, feet, uprightness, battery and the loop's own pace."""
 
 from __future__ import annotations
 
+import math
 from collections import deque
 
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.geometry.poses import vector_from_rotation
+from kinematics.geometry.poses import rotation_from_quaternion, vector_from_rotation
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
 from kinematics.model.support_polygon import SupportPolygon
@@ -21,6 +22,12 @@ _GYRO_STEP_S = 0.1
 _FOOT_TIME_S = 0.1
 """Contact is lost after so long; what is estimated is averaged over it, for its noise is as its bound."""
 _PACE_TIME_S = 1.0
+_FALLEN_RAD, _FALLEN_S, _GRAVITY_TIME_S = 1.0, 0.1, 0.2
+"""Nobody comes back to his feet from such a lean; the deepest that is planned is half of it. What the
+accelerometer feels is averaged."""
+_SURELY_UPRIGHT = math.cos(0.5)
+"""Of what the IMU feels to what it feels at home: its own lean does not count, which the waist makes."""
+_GRAVITY_M_S2 = 9.81
 
 
 class BodyHealth:
@@ -39,7 +46,8 @@ class BodyHealth:
         self._gyro_bias = 0.0
         self._unloaded_s = [0.0] * len(self._soles)
         self._estimated_n = np.zeros(len(self._soles))
-        self._late_share = 0.0
+        self._late_share, self._leaning_s = 0.0, 0.0
+        self._up = _GRAVITY_M_S2 * model.imu_up
 
     def forget(self) -> None:
         """Begin anew."""
@@ -70,6 +78,7 @@ class BodyHealth:
             found += self._gyro(sensed, self._imu)
         if self._soles:
             found += self._feet(sensed, standing)
+            found += self._upright(sensed, self._imu) if self._imu is not None else []
         if state.battery < limits.battery_low:
             found.append(Finding(Ailment.BATTERY_LOW, "battery", state.battery, limits.battery_low))
         if self._late_share > limits.late_share:
@@ -108,6 +117,22 @@ class BodyHealth:
             if self._unloaded_s[i] > _FOOT_TIME_S:
                 found.append(Finding(Ailment.FOOT_CONTACT_LOST, sole.link, force, bound))
         return found
+
+    def _upright(self, sensed: SensedState, imu: str) -> list[Finding]:
+        """Whether the base leans so far that the robot has fallen; gravity tells, whatever is believed."""
+        share = self._period_s / _GRAVITY_TIME_S
+        self._up = up = self._up + share * (sensed.readings.accelerometer - self._up)
+        felt = math.sqrt(up.dot(up))
+        if felt < 0.5 * _GRAVITY_M_S2 or up.dot(self._model.imu_up) > _SURELY_UPRIGHT * felt:
+            self._leaning_s = 0.0
+            return []
+        base_R = rotation_from_quaternion(sensed.q[3:7])
+        base_up = base_R.T @ self._model.frame_pose(sensed.q, imu)[:3, :3] @ up
+        leans_rad = math.acos(float(np.clip(base_up[2] / felt, -1.0, 1.0)))
+        self._leaning_s = self._leaning_s + self._period_s if leans_rad > _FALLEN_RAD else 0.0
+        if self._leaning_s <= _FALLEN_S:
+            return []
+        return [Finding(Ailment.FALLEN, self._model.description.base_link, leans_rad, _FALLEN_RAD)]
 
     def _stands_on_the_other(self, q: Array, lifted: int) -> bool:
         """Whether another sole has the whole weight well above it, so that this one need not carry."""

@@ -18,6 +18,7 @@ class Ailment(Enum):
     FOOT_CONTACT_LOST = "foot contact lost"
     BATTERY_LOW = "battery low"
     OVERRUNS = "control periods late"
+    FALLEN = "fallen"
 
 
 class Response(Enum):
@@ -27,6 +28,8 @@ class Response(Enum):
     """Brake and hold; no motion is taken while it lasts."""
     REFUSE = "refuse"
     """What is under way is finished; no new task is begun while it lasts."""
+    LIMP = "limp"
+    """The power is taken away: legs that go on walking on the floor hit what is there."""
 
 
 RESPONSES = {
@@ -38,6 +41,7 @@ RESPONSES = {
     Ailment.FOOT_CONTACT_LOST: Response.STOP,
     Ailment.BATTERY_LOW: Response.REFUSE,
     Ailment.OVERRUNS: Response.REFUSE,
+    Ailment.FALLEN: Response.LIMP,
 }
 
 _UNITS = {
@@ -47,6 +51,7 @@ _UNITS = {
     Ailment.ENCODER_OFFSET: "rad",
     Ailment.GYRO_BIAS: "rad/s",
     Ailment.FOOT_CONTACT_LOST: "N",
+    Ailment.FALLEN: "rad",
 }
 
 
@@ -59,7 +64,7 @@ class Finding:
         part: Which joint, sole or sensor.
         value: What was measured: the distance that a stuck joint did not follow, the effort that a motor
             does not give, the offset, the bias, the foot's force, the battery's charge, the share of late
-            periods.
+            periods, how far the base leans.
         bound: What it had to keep to.
     """
 

@@ -27,6 +27,7 @@ from robots.control.grip.grip_keeper import GripKeeper
 from robots.control.hands.gripper_control import GripperControl
 from robots.control.hands.jogging import JoggingControl
 from robots.control.hands.yielding import YieldingControl
+from robots.control.health.finding import Response
 from robots.control.health.health_monitor import HealthMonitor
 from robots.control.loop.control_record import ControlRecord, ControlStatistics
 from robots.control.loop.emergency_stop import EmergencyStop, PersonsReset, require_category
@@ -150,11 +151,7 @@ class ControlLoop:
         """Let periods pass that nobody decided about: the robot goes on under the last setpoint.
 
         What is decided next follows on from that setpoint as if no time had passed, so however late it
-        is, nothing jumps.
-
-        Args:
-            periods: How many control periods were missed.
-            each: Called after each of them.
+        is, nothing jumps. ``each`` is called after each period.
         """
         for _ in range(periods):
             if not self._limp:
@@ -189,10 +186,7 @@ class ControlLoop:
         """Brake, and hold until ``resume``; what is under way stays under way, and balance goes on.
 
         Arms brake along their path, a walk makes its last steps, fingers finish their way. A stop ends the
-        pause, and with it what was paused.
-
-        Args:
-            reason: For people.
+        pause, and with it what was paused. The reason is for people.
         """
         if not self.paused:
             self._sink(MotionPaused(self._clock.now_s(), reason))
@@ -268,13 +262,14 @@ class ControlLoop:
         state = self.sensing.state().readings
         if alarm := self._safeguards.alarm(state):
             self.emergency_stop(alarm)
+        if not self._limp:
+            for keeper in self._keepers:
+                keeper.sense(state)
+            self._sway.sense(state.v, self._gate.last.v)
+            self._look_after_health()
         if self._limp:
             self._gate.go_limp(state.q, state.v)
             return
-        for keeper in self._keepers:
-            keeper.sense(state)
-        self._sway.sense(state.v, self._gate.last.v)
-        self._look_after_health()
         self._forgiven = max(0, self._forgiven - 1)
         self._watch_for_contact(state)
         self._walker.go_on()
@@ -347,7 +342,9 @@ class ControlLoop:
 
     def _look_after_health(self) -> None:
         finding = self._safeguards.look(self.sensing.state(), self._gate.last, self._walker.active)
-        if finding is not None:
+        if finding is not None and finding.response is Response.LIMP:
+            self.emergency_stop(str(finding), category=0)
+        elif finding is not None:
             easing = finding.part if finding.weakens(self._legs) else None
             self._record.stop(1, str(finding))
             self._streamer.stop(str(finding), along_path=True, easing=easing)

@@ -128,7 +128,8 @@ class Safeguards:
             return None
         self._record.health(new, over)
         self._close_or_open()
-        return next((finding for finding in new if finding.response is Response.STOP), None)
+        grave = [finding for finding in new if finding.response is not Response.REFUSE]
+        return max(grave, key=lambda finding: finding.response is Response.LIMP, default=None)
 
     def lose_power(self, reason: str) -> None:
         """Refuse motions for good."""

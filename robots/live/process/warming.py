@@ -10,7 +10,7 @@ from robots.clock import ManualClock
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_robot import FakeRobot
-from robots.interface.hardware import Hardware, RobotData
+from robots.interface.hardware import Hardware
 
 _PERIODS = 60
 _AHEAD_M = 0.02
@@ -39,7 +39,7 @@ def warm_up(model: RobotModel, hardware: Hardware) -> None:
 
 def _loop(model: RobotModel, hardware: Hardware) -> ControlLoop:
     clock = ManualClock()
-    robot = FakeRobot(RobotData(model.description, hardware), clock)
+    robot = FakeRobot(model, hardware, clock)
     return ControlLoop(robot, model, clock, lambda _event: None)
 
 

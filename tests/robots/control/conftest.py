@@ -22,8 +22,10 @@ PERIOD_S = 0.002
 class PerfectRobot:
     """Is always where it was told to be; fingers stop at what stands between them."""
 
-    def __init__(self, description, joints):
-        self.description, self.hardware = description, HARDWARE
+    def __init__(self, model, joints):
+        self.description, self.hardware = model.description, HARDWARE
+        self._gravity = 9.81 * model.imu_up
+        description = model.description
         self.commands = []
         self.obstacle_rad = {}
         self.stuck_rad = {}
@@ -38,8 +40,8 @@ class PerfectRobot:
     def read(self):
         feet = np.zeros((2, 6))
         feet[:, 2] = 450.0
-        gravity = np.array([0.0, 0.0, 9.81])
-        return RobotState(self._stamp_ns * 1e-9, self._q, self._v, self._effort, np.zeros(3), gravity, feet)
+        felt = np.zeros(3), self._gravity
+        return RobotState(self._stamp_ns * 1e-9, self._q, self._v, self._effort, *felt, feet)
 
     def command(self, setpoint):
         self.commands.append(setpoint)
@@ -73,7 +75,7 @@ class Rig:
     def __init__(self, model):
         self.model, self.description = model, model.description
         home = [self.description.home[name] for name in self.description.actuated]
-        self.robot = PerfectRobot(self.description, home)
+        self.robot = PerfectRobot(model, home)
         self.clock, self.events = ManualClock(), []
         self.loop = ControlLoop(self.robot, model, self.clock, self.events.append, PERIOD_S)
 

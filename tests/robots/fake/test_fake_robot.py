@@ -4,7 +4,6 @@ import pytest
 from robots.clock import ManualClock
 from robots.errors import SetpointRefusedError
 from robots.fake.fake_robot import FakeRobot
-from robots.interface.hardware import RobotData
 from robots.interface.robot import JointSetpoint
 from robots.models.description import load_robot
 
@@ -13,7 +12,7 @@ HARDWARE = load_robot("talos").hardware
 
 @pytest.fixture
 def robot(model):
-    return FakeRobot(RobotData(model.description, HARDWARE), ManualClock())
+    return FakeRobot(model, HARDWARE, ManualClock())
 
 
 def setpoint(q):

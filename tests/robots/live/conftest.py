@@ -15,7 +15,6 @@ from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_robot import FakeRobot
 from robots.fake.fake_sensing import FakeRangeSensor
-from robots.interface.hardware import RobotData
 from robots.live.process.control_server import ControlServer
 from robots.live.wire.connection import Connection
 from robots.live.wire.framing import FrameKind
@@ -133,7 +132,7 @@ class LiveRig:
     def __init__(self, model, folder):
         self.folder, self.model = folder, model
         self.clock, self.checker = ManualClock(), Checker()
-        self.robot = Weightless(RobotData(model.description, HARDWARE), self.clock)
+        self.robot = Weightless(model, HARDWARE, self.clock)
         self.ranging = FakeRangeSensor()
         self.ranging.silent = True
         self.server, self.clients, self.offered_at_s = None, [], []

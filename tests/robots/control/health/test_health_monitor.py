@@ -50,6 +50,7 @@ class Body:
         self.share, self.stuck, self.offset = np.ones(len(self.q)), set(), np.zeros(len(self.q))
         self.gyro, self.battery, self.load = np.zeros(3), 1.0, [450.0, 450.0]
         self.lean_rad, self.stepping, self.estimated, self.following = 0.0, False, False, True
+        self.felt_m_s2 = np.zeros(3)
         self.touch, self.slower_rad_s = np.zeros(len(self.q)), np.zeros(len(self.q))
 
     def index(self, joint):
@@ -75,7 +76,7 @@ class Body:
                 v - self.slower_rad_s,
                 effort,
                 self.gyro,
-                np.zeros(3),
+                self.felt_m_s2,
                 feet,
                 self.battery,
                 feet_estimated=self.estimated,
@@ -421,6 +422,22 @@ def test_a_low_battery_refuses_new_tasks_only(body):
     assert body.ailments() == [(Ailment.BATTERY_LOW, "battery")]
     assert body.monitor.reasons(Response.REFUSE) == ("battery low: battery (0.1, bound 0.15)",)
     assert not body.monitor.reasons(Response.STOP)
+
+
+@pytest.mark.parametrize(("lean_rad", "fallen"), [(0.9, False), (1.1, True), (3.1, True)])
+def test_a_base_that_leans_as_nobody_stands_has_fallen(body, lean_rad, fallen):
+    body.run(0.5)
+    description = body.model.description
+    home_R_imu = body.model.frame_pose(body.model.q_home, description.imu)[:3, :3]
+    body.felt_m_s2 = 9.81 * home_R_imu.T @ (np.sin(lean_rad), 0.0, np.cos(lean_rad))
+    body.run(0.1)
+    assert not body.new
+
+    body.run(1.5)
+
+    told = [finding for finding in body.new if finding.ailment is Ailment.FALLEN]
+    assert bool(told) is fallen
+    assert all(finding.response is Response.LIMP for finding in told)
 
 
 def test_late_control_periods_are_noticed(body):

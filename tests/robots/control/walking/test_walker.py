@@ -279,6 +279,27 @@ def test_a_push_that_the_sole_cannot_hold_is_caught_with_the_next_steps():
     assert not floor.world.truth.fallen()
 
 
+@pytest.mark.parametrize("walks", [True, False])
+def test_a_robot_that_was_thrown_down_lies_still_and_says_so(walks):
+    floor = Floor()
+    handle = floor.walk(0.2) if walks else None
+    floor.run(1.5)
+    pelvis = floor.world.physics.data.xfrc_applied[floor.world.physics.body_id("base_link")]
+
+    pelvis[:2] = -200.0, -1500.0
+    floor.run(0.3)
+    pelvis[:2] = 0.0
+    floor.run(4.0)
+
+    engaged = floor.loop.emergency
+    assert floor.world.truth.fallen()
+    assert engaged.category == 0
+    assert engaged.reason.startswith("fallen: base_link (")
+    assert handle is None or handle.finished
+    assert not floor.loop.walking.active
+    assert np.abs(floor.world.physics.data.qvel).max() < 0.3
+
+
 @pytest.mark.requirement("S4")
 def test_a_walk_ends_when_legs_or_trunk_meet_furniture_that_nobody_saw():
     floor = Floor(furniture=(Furniture("wall", "wall", (0.1, 3.0, 0.5), (0.9, 0.0), 0.0, 0.7),))

@@ -10,7 +10,6 @@ from robots.clock import ManualClock
 from robots.control.loop.control_loop import ControlLoop
 from robots.fake.fake_robot import FakeRobot
 from robots.fake.fake_sensing import FakeRangeSensor
-from robots.interface.hardware import RobotData
 from robots.live.documents.camera_message import cameras_json, cameras_of
 from robots.live.process.bulletin import Bulletin, Wanted
 from robots.live.process.motion_desk import MotionDesk
@@ -48,7 +47,7 @@ class Far:
 
 
 def loop_of(talos, clock):
-    body = FakeRobot(RobotData(talos.description, HARDWARE), clock)
+    body = FakeRobot(talos, HARDWARE, clock)
     return ControlLoop(body, talos, clock, lambda _event: None, PERIOD_S)
 
 

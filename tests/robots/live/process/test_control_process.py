@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from kinematics.model.robot_model import RobotModel
 from robots.fake.fake_robot import FakeRobot
 from robots.interface import bodies
 from robots.interface.bodies import BodyError
@@ -22,7 +23,7 @@ class Body(FakeRobot):
     """Counts the periods that it is waited for."""
 
     def __init__(self, data, clock, options):
-        super().__init__(data, clock)
+        super().__init__(RobotModel(data.description), data.hardware, clock)
         self.options, self.commands, self.waited_s = options, 0, 0.0
 
     def command(self, setpoint):
