@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from executive.ending_signals import taken_by
 from kinematics.model.robot_description import Hand
 from robots.clock import WallClock
 from robots.interface.hardware import RobotData
@@ -37,6 +38,7 @@ _BODY_ENABLED, _HAND_ENABLED = (0xFF, 1), (0x70, 0x10)
 """Bits of a motor's mode, and what they are when it follows."""
 _SICK_MOTOR, _CODE = 3, 17
 _NOISE_RAD, _NOISE_RAD_S = 1e-4, 2e-3
+_CAUGHT_UP_S = 0.05
 _L2_AND_B = 1 << 5 | 1 << 9
 
 
@@ -189,13 +191,20 @@ def empty_world(data: RobotData, seed: int) -> SimulatedWorld:
     return build_world(data, SceneDescription("empty"), np.random.default_rng(seed), drawn=False)
 
 
-def serve(referee: Referee, clock: WallClock, goes_on: Callable[[], bool]) -> None:
-    """Step a referee in real time, for as long as it is to go on; late periods are caught up."""
-    due_s = clock.now_s()
+def serve(referee: Referee, clock: WallClock, goes_on: Callable[[], bool]) -> float:
+    """Step a referee in real time, for as long as it is to go on; late periods are caught up.
+
+    Returns:
+        How much time it has lost, s: of a delay, no more than 0.05 s is caught up.
+    """
+    due_s, lost_s = clock.now_s(), 0.0
     while goes_on():
         referee.step()
-        due_s = max(due_s + PERIOD_S, clock.now_s() - 0.05)
+        due_s, earliest_s = due_s + PERIOD_S, clock.now_s() - _CAUGHT_UP_S
+        lost_s += max(0.0, earliest_s - due_s)
+        due_s = max(due_s, earliest_s)
         clock.sleep(due_s - clock.now_s())
+    return lost_s
 
 
 def main() -> None:
@@ -234,8 +243,11 @@ def main() -> None:
     )
     clock = WallClock()
     print("listening", flush=True)
-    serve(referee, clock, lambda: clock.now_s() < chosen.seconds)
+    ended: list[int] = []
+    with taken_by(ended.append):
+        lost_s = serve(referee, clock, lambda: clock.now_s() < chosen.seconds and not ended)
     print(f"largest jump {referee.jump_rad:.4f} rad, {referee.refused} refused, fallen: {referee.fallen}")
+    print(f"{lost_s:.3f} s lost: this machine did not keep up")
 
 
 if __name__ == "__main__":

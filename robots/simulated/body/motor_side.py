@@ -37,7 +37,7 @@ class MotorSide:
         if hung:
             model.opt.gravity[:] = 0.0
         self._count = len(physics.description.actuated)
-        self._effort = np.zeros(self._count)
+        self._effort, self._v = np.zeros(self._count), np.zeros(self._count)
         self._base = physics.model.body(physics.description.base_link).id if held else None
         self._held_at = np.array(physics.data.qpos[:7])
 
@@ -48,8 +48,11 @@ class MotorSide:
 
     @property
     def v(self) -> Array:
-        """Their speeds, rad/s, shape (n,)."""
-        return np.array(self._physics.data.qvel[self._physics.joint_qvel[: self._count]])
+        """Their speeds as a mean over the last period, rad/s, shape (n,): what encoders have moved.
+
+        At an instant a light joint has settled since its command, and is one percent too slow.
+        """
+        return self._v.copy()
 
     @property
     def effort(self) -> Array:
@@ -73,14 +76,14 @@ class MotorSide:
             period_s: A multiple of the physics step.
         """
         data, n, steps = self._physics.data, self._count, round(period_s / TIMESTEP_S)
-        effort = np.zeros(n)
+        effort, began, speeds = np.zeros(n), self.q, self._physics.joint_qvel[:n]
         for _ in range(steps):
-            data.ctrl[:n] = tau + kp * (q - self.q) + kd * (v - self.v)
+            data.ctrl[:n] = tau + kp * (q - self.q) + kd * (v - data.qvel[speeds])
             if self._base is not None:
                 data.xfrc_applied[self._base] = self._harness()
             mujoco.mj_step(self._physics.model, data)
             effort += data.actuator_force[:n]
-        self._effort = effort / steps
+        self._effort, self._v = effort / steps, (self.q - began) / period_s
 
     def _harness(self) -> Array:
         """Force and moment of the harness on the base in the world, N and Nm, shape (6,)."""
