@@ -84,6 +84,18 @@ def test_a_scene_of_which_no_hand_can_take_anything_is_refused_by_its_name(pool)
         trial_of("things", 0, str(plates))
 
 
+def test_in_place_everything_stays_and_what_a_hand_can_take_is_asked_for(pool):
+    there = load_scene(str(pool))
+    trials = [trial_of("in_place", seed, str(pool)) for seed in SEEDS]
+
+    assert all(trial.scene.objects == there.objects for trial in trials)
+    assert all(trial.scene.furniture == there.furniture for trial in trials)
+    assert len({trial.scene.robot_start for trial in trials}) == len(trials)
+    assert len({trial.aim for trial in trials}) > 2
+    assert all(trial.sentence == f"pick up the {trial.aim}" for trial in trials)
+    assert "dinner plate" not in {trial.aim for trial in trials}
+
+
 def test_without_a_scene_it_is_refused_with_what_to_say(capsys):
     assert main(["things", "--episodes", "1"]) == 2
 

@@ -41,6 +41,7 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "put_in_drawer": putting_in_drawer.PUT_IN_DRAWER,
         "put_in_fridge": putting_in_fridge.PUT_IN_FRIDGE,
         "things": things.THINGS,
+        "in_place": things.IN_PLACE,
         "turn_knob": controls.TURN_KNOB,
         "press": controls.PRESS,
         "hand_over": handing_over.HAND_OVER,

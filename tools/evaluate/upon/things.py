@@ -1,7 +1,8 @@
-"""Suite of picks among things that nobody here made: ``things --scene FILE``, a scene that has them.
+"""Suites of picks among things that nobody here made: ``things --scene FILE``, a scene that has them.
 
 Of the scene's things some are drawn for each episode, and put down at random on a table that suits the robot.
-One that a hand of it could take if it stood alone is asked for by its label.
+One that a hand of it could take if it stood alone is asked for by its label. In ``in_place --scene FILE``
+they stay where the scene has them, and the robot begins about where it has it stand.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from kinematics.planning.pick_planner import PickPlanner
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.models.description import load_description
-from robots.scenes.scene_description import Furniture, SceneItem
+from robots.scenes.scene_description import Furniture, RobotStart, SceneItem
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
@@ -40,6 +41,7 @@ _DRAWS = 40
 _TURNS, _ASIDE_M = 4, 0.2
 _TOP_M, _WIDE_M, _MARGIN_M = 0.04, 1.2, 0.01
 """Of a table's top that a thing stands on alone, and what is kept from both."""
+_START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
 _SMALL_M = 0.9
 """A humanoid whose base is lower than this at home stands before a low table."""
 
@@ -98,6 +100,25 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     said = f"pick up the {aim}"
     task = PickTask(said, ObjectDescription(name=aim))
     return Trial(rooms.room("things", rng, [table], objects), (task,), aim, sentence=said)
+
+
+def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
+    """A scene as it is, and one of its things asked for.
+
+    Raises:
+        ValueError: The robot's hands can take none of them.
+    """
+    there, hands = load_scene(scene), _hands_of(robot)
+    takeable = [item for item in there.objects if hands.take(item)]
+    if not takeable:
+        raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it")
+    aim = takeable[int(rng.integers(len(takeable)))].name
+    off_m, start = rng.uniform(-_START_OFF_M, _START_OFF_M, 2), there.robot_start
+    turned = start.yaw_rad + float(rng.uniform(-_START_TURNED_RAD, _START_TURNED_RAD))
+    began = RobotStart(start.x_m + float(off_m[0]), start.y_m + float(off_m[1]), turned)
+    said = f"pick up the {aim}"
+    task = PickTask(said, ObjectDescription(name=aim))
+    return Trial(replace(there, robot_start=began), (task,), aim, sentence=said)
 
 
 class _Hands:
@@ -183,3 +204,4 @@ def _radius_m(item: SceneItem) -> float:
 
 
 THINGS = SkillSuite(None, ThingJudge, bar=0.93, in_scene=things_trial)
+IN_PLACE = SkillSuite(None, ThingJudge, bar=0.93, in_scene=in_place_trial, stands=False)
