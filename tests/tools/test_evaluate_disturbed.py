@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from tools.evaluate.disturbed.bare_walk import BareWalk
-from tools.evaluate.disturbed.pushes import PushSummary
+from tools.evaluate.disturbed.pushes import PushSummary, run_push_episode
 from tools.evaluate.disturbed.rough import RoughSummary
+from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import EpisodeRecord
 from tools.pictures.draw_pushes import curves, picture
 
@@ -34,6 +35,13 @@ def test_one_fall_of_ten_misses_the_demand():
     walks = [push(k, stood=k > 0, gait="walking", side="sideways") for k in range(10)]
 
     assert not bars(*walks)["walking, sideways, 120 N"].met
+
+
+def test_a_small_robot_is_pushed_at_its_own_links_with_its_own_demand():
+    records = [run_push_episode(EpisodeOrder(seed, robot="g1")) for seed in (1, 2)]
+
+    assert {record.outcome for record in records} <= {"done", "failed"}
+    assert all(record.numbers["force_n"] <= 120.0 for record in records)
 
 
 def test_what_is_wrong_is_counted_by_itself():

@@ -29,6 +29,7 @@ class BareWalk:
         loop: The control loop.
         events: All that it told.
         settings: How the robot walks.
+        torso: The link that its trunk ends in.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class BareWalk:
         self.world.body_faults.delay_sensors(delay_periods)
         self.events: list[object] = []
         model = RobotModel(description)
+        self.torso = model.moved_links[description.groups["torso"][-1]]
         self.loop = ControlLoop(self.world.robot, model, ManualClock(), self.events.append, PERIOD_S)
 
     def go_on(self, seconds: float) -> bool:

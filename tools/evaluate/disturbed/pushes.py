@@ -5,22 +5,37 @@ from __future__ import annotations
 import math
 import time
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from tools.evaluate.disturbed.bare_walk import BareWalk
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import Bar, EpisodeRecord, Summary, broken_episode
 from tools.evaluate.scenes import episode_rng
 
-STANDING_N = 250.0
-FORWARD_N, SIDEWAYS_N = 200.0, 120.0
-"""What has to be survived; forward and backward directions are those within 45 degrees."""
+
+@dataclass(frozen=True, slots=True)
+class Demanded:
+    """What a robot has to survive, N; forward and backward directions are those within 45 degrees."""
+
+    standing: float
+    forward: float
+    sideways: float
+
+    def of(self, walking: bool, sideways: bool) -> float:
+        """Of one push."""
+        if not walking:
+            return self.standing
+        return self.sideways if sideways else self.forward
+
+
+_GROWN_UP = Demanded(250.0, 200.0, 120.0)
+DEMANDED = MappingProxyType({"talos": _GROWN_UP, "g1": Demanded(60.0, 40.0, 40.0)})
 SHARES = (1.0, 1.0, 1.0, 1.25, 1.5, 1.75, 2.0)
 """Of that force; drawn with equal chances, so that three of seven pushes count for the demand."""
 SURVIVED = 0.95
 TORSO_EVERY = 4
 """One push of so many is at the torso instead of the pelvis; those are reported, and demanded is nothing."""
 SPEED_M_S = (-0.3, 0.5)
-PELVIS, TORSO = "base_link", "torso_2_link"
 _AFTER_S = 2.5
 
 
@@ -38,12 +53,13 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     walking = bool(rng.random() < 0.6)
     angle = float(rng.uniform(-math.pi, math.pi))
     share = SHARES[int(rng.integers(len(SHARES)))]
-    link = TORSO if rng.integers(TORSO_EVERY) == 0 else PELVIS
+    at_torso = rng.integers(TORSO_EVERY) == 0
     at_s = float(rng.uniform(0.0, 1.24))
     speed = float(rng.uniform(*SPEED_M_S))
     sideways = abs(math.sin(angle)) > math.sqrt(0.5)
-    bar_n = STANDING_N if not walking else SIDEWAYS_N if sideways else FORWARD_N
+    bar_n = DEMANDED.get(order.robot, _GROWN_UP).of(walking, sideways)
     body = BareWalk(order.robot, order.seed)
+    link = body.torso if at_torso else body.world.robot.description.base_link
     stands = body.go_on(0.4)
     handle = None
     if walking:
@@ -56,7 +72,7 @@ def _run(order: EpisodeOrder) -> EpisodeRecord:
     numbers = {
         "gait": "walking" if walking else "standing",
         "side": "sideways" if sideways else "ahead or back",
-        "at": "torso" if link == TORSO else "pelvis",
+        "at": "torso" if at_torso else "pelvis",
         "force_n": share * bar_n,
         "share": share,
         "angle_deg": math.degrees(angle),
@@ -86,10 +102,10 @@ class PushSummary(Summary):
     def bars(self) -> list[Bar]:
         """Survived, by gait and side."""
         found = []
-        for gait, side, force_n in (
-            ("standing", None, STANDING_N),
-            ("walking", "ahead or back", FORWARD_N),
-            ("walking", "sideways", SIDEWAYS_N),
+        for gait, side, usual_n in (
+            ("standing", None, _GROWN_UP.standing),
+            ("walking", "ahead or back", _GROWN_UP.forward),
+            ("walking", "sideways", _GROWN_UP.sideways),
         ):
             counted = [
                 record
@@ -100,6 +116,7 @@ class PushSummary(Summary):
                 and side in (None, record.numbers.get("side"))
             ]
             stood = sum(record.truth for record in counted)
+            force_n = max((float(record.numbers["force_n"]) for record in counted), default=usual_n)
             name = f"{gait}{'' if side is None else ', ' + side}, {force_n:.0f} N"
             met = bool(counted) and stood >= SURVIVED * len(counted)
             found.append(Bar(name, f"{stood} of {len(counted)}", f"≥ {SURVIVED:.0%}", met))
