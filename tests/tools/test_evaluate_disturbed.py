@@ -32,7 +32,7 @@ def test_a_demand_without_a_push_is_not_met():
 
 
 def test_one_fall_of_ten_misses_the_demand():
-    walks = [push(k, stood=k > 0, gait="walking", side="sideways") for k in range(10)]
+    walks = [push(k, stood=k > 0, gait="walking", force_n=120.0) for k in range(10)]
 
     assert not bars(*walks)["walking, sideways, 120 N"].met
 
