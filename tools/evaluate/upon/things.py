@@ -88,8 +88,7 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     wanted = int(rng.integers(_COUNT[0], _COUNT[1] + 1))
     for index in rng.permutation(len(pool.objects)):
         item = pool.objects[int(index)]
-        told_apart = not any(item.name in one.name or one.name in item.name for one in objects)
-        if told_apart and _radius_m(item) < _LARGEST_M and (objects or hands.take(item)):
+        if _named_alone(item, objects) and _radius_m(item) < _LARGEST_M and (objects or hands.take(item)):
             placed = _placed(rng, item, table, objects, where)
             objects += [] if placed is None else [placed]
         if len(objects) == wanted:
@@ -102,6 +101,11 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     return Trial(rooms.room("things", rng, [table], objects), (task,), aim, sentence=said)
 
 
+def _named_alone(item: SceneItem, others: Sequence[SceneItem]) -> bool:
+    """Whether no other thing's name is a part of its own, or the other way round."""
+    return not any(item.name in one.name or one.name in item.name for one in others if one is not item)
+
+
 def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     """A scene as it is, and one of its things asked for.
 
@@ -109,7 +113,7 @@ def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
         ValueError: The robot's hands can take none of them.
     """
     there, hands = load_scene(scene), _hands_of(robot)
-    takeable = [item for item in there.objects if hands.take(item)]
+    takeable = [item for item in there.objects if _named_alone(item, there.objects) and hands.take(item)]
     if not takeable:
         raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it")
     aim = takeable[int(rng.integers(len(takeable)))].name
