@@ -83,6 +83,7 @@ class HealthLimits:
         foot_error_n: Forces of the floor that are estimated may be wrong by so much: their bounds are wider.
         battery_low: Share of the charge below which no new task is begun.
         late_share: Share of late control periods, over a second, that the loop may have.
+        fallen_rad: A base that leans by more has fallen.
     """
 
     motor_effort_fraction: float = 0.08
@@ -95,6 +96,7 @@ class HealthLimits:
     foot_error_n: float = 0.0
     battery_low: float = 0.15
     late_share: float = 0.2
+    fallen_rad: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

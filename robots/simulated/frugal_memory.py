@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import mmap
 from pathlib import Path
 
 import mujoco
@@ -19,8 +20,6 @@ _ARENA_MAX, _MMAP_THRESHOLD, _TRIM_THRESHOLD = -8, -3, -1
 _LARGE_BYTES = 131_072
 """What is larger is asked of the system, and goes back to it at once; unless told, the C library raises that
 by itself to 32 MB."""
-_DONT_NEED = 4
-"""Of ``madvise``."""
 _MAPS, _COMPILER = Path("/proc/self/maps"), "libllvmlite"
 
 
@@ -67,7 +66,7 @@ def let_go_of_compiler() -> None:
         where, allowed, *_, file = line.split(maxsplit=5)
         if _COMPILER in file and allowed == "r-xp":
             first, end = (int(address, 16) for address in where.split("-"))
-            advise(ctypes.c_void_p(first), ctypes.c_size_t(end - first), _DONT_NEED)
+            advise(ctypes.c_void_p(first), ctypes.c_size_t(end - first), mmap.MADV_DONTNEED)
 
 
 def _c_library() -> ctypes.CDLL:

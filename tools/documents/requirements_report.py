@@ -21,9 +21,7 @@ from rich.console import Console
 from rich.table import Table
 
 ROOT = Path(__file__).parents[2]
-REQUIREMENTS, TESTS = ROOT / "docs" / "reference" / "requirements.md", ROOT / "tests"
-PEERS = TESTS / "peers"
-_MARK, _NAME = re.compile(r"mark\.requirement\(([^)]*)\)"), re.compile(r'"(\w+)"')
+REQUIREMENTS, PEERS = ROOT / "docs" / "reference" / "requirements.md", ROOT / "tests" / "peers"
 _ROW = re.compile(r"^\| (?P<id>[A-Z]+\d+) \| (?P<text>.+?) \|(?: (?P<more>.+?) \|)?$")
 
 
@@ -80,12 +78,6 @@ def requirement_rows(text: str) -> dict[str, str]:
         if match:
             rows[match["id"]] = match["text"] + (f": {match['more']}" if match["more"] else "")
     return rows
-
-
-def marked_names(tests: Path = TESTS) -> set[str]:
-    """The ids that tests carry, as their files say."""
-    marks = (mark for file in tests.rglob("*.py") for mark in _MARK.findall(file.read_text("utf-8")))
-    return {name for mark in marks for name in _NAME.findall(mark)}
 
 
 def verdicts(rows: Mapping[str, str], counts: Mapping[str, Mapping[str, int]]) -> list[Verdict]:

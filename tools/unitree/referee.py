@@ -247,7 +247,8 @@ def main() -> None:
     with taken_by(ended.append):
         lost_s = serve(referee, clock, lambda: clock.now_s() < chosen.seconds and not ended)
     print(f"largest jump {referee.jump_rad:.4f} rad, {referee.refused} refused, fallen: {referee.fallen}")
-    print(f"{lost_s:.3f} s lost: this machine did not keep up")
+    if lost_s > 0.0:
+        print(f"{lost_s:.3f} s lost: this machine did not keep up")
 
 
 if __name__ == "__main__":

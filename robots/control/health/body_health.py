@@ -22,11 +22,8 @@ _GYRO_STEP_S = 0.1
 _FOOT_TIME_S = 0.1
 """Contact is lost after so long; what is estimated is averaged over it, for its noise is as its bound."""
 _PACE_TIME_S = 1.0
-_FALLEN_RAD, _FALLEN_S, _GRAVITY_TIME_S = 1.0, 0.1, 0.2
-"""Nobody comes back to his feet from such a lean; the deepest that is planned is half of it. What the
-accelerometer feels is averaged."""
-_SURELY_UPRIGHT = math.cos(0.5)
-"""Of what the IMU feels to what it feels at home: its own lean does not count, which the waist makes."""
+_FALLEN_S, _GRAVITY_TIME_S = 0.1, 0.2
+"""A base leans for so long until it counts; what the accelerometer feels is averaged over the other."""
 _GRAVITY_M_S2 = 9.81
 
 
@@ -48,6 +45,7 @@ class BodyHealth:
         self._estimated_n = np.zeros(len(self._soles))
         self._late_share, self._leaning_s = 0.0, 0.0
         self._up = _GRAVITY_M_S2 * model.imu_up
+        self._surely_upright = math.cos(0.5 * limits.fallen_rad)
 
     def forget(self) -> None:
         """Begin anew."""
@@ -123,16 +121,17 @@ class BodyHealth:
         share = self._period_s / _GRAVITY_TIME_S
         self._up = up = self._up + share * (sensed.readings.accelerometer - self._up)
         felt = math.sqrt(up.dot(up))
-        if felt < 0.5 * _GRAVITY_M_S2 or up.dot(self._model.imu_up) > _SURELY_UPRIGHT * felt:
+        if felt < 0.5 * _GRAVITY_M_S2 or up.dot(self._model.imu_up) > self._surely_upright * felt:
             self._leaning_s = 0.0
             return []
         base_R = rotation_from_quaternion(sensed.q[3:7])
         base_up = base_R.T @ self._model.frame_pose(sensed.q, imu)[:3, :3] @ up
+        bound = self._limits.fallen_rad
         leans_rad = math.acos(float(np.clip(base_up[2] / felt, -1.0, 1.0)))
-        self._leaning_s = self._leaning_s + self._period_s if leans_rad > _FALLEN_RAD else 0.0
+        self._leaning_s = self._leaning_s + self._period_s if leans_rad > bound else 0.0
         if self._leaning_s <= _FALLEN_S:
             return []
-        return [Finding(Ailment.FALLEN, self._model.description.base_link, leans_rad, _FALLEN_RAD)]
+        return [Finding(Ailment.FALLEN, self._model.description.base_link, leans_rad, bound)]
 
     def _stands_on_the_other(self, q: Array, lifted: int) -> bool:
         """Whether another sole has the whole weight well above it, so that this one need not carry."""

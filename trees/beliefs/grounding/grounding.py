@@ -144,7 +144,7 @@ def ground_furniture(wanted: ObjectDescription, around: Surroundings, leaves: st
 
 
 def says_which(wanted: ObjectDescription) -> bool:
-    """Whether a description of furniture says which of several is meant."""
+    """Whether a description says which of several is meant."""
     return wanted.ordinal is not None or wanted.relation is not None or wanted.size is not None
 
 

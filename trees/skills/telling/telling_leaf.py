@@ -191,7 +191,9 @@ class TellingLeaf(Leaf):
         )
 
     def of_room(self, region: Region | None, around: Surroundings) -> Surroundings:
-        """What is believed, with no objects but those in a room: sizes and orders compare these alone."""
+        """What is believed, of a room with no objects but its own: sizes and orders compare these alone."""
+        if region is None:
+            return around
         return around.only(self.inside(region, (thing.name for thing in around.objects)))
 
     def furniture(self, around: Surroundings, region: Region | None) -> list[str]:
