@@ -54,8 +54,6 @@ if TYPE_CHECKING:
 
 OnRecord = Callable[[Path, Mapping[str, Any]], Path | None]
 _WAITS_S = 0.02
-FINAL_HOLD_S = 0.5
-"""Simulated time that a film goes on after the last task."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,6 +280,7 @@ def _results(
         calendar=Calendar(settings.begins or USUAL_START),
         labelling=labelling,
         picture_slot=picture_slot,
+        drawn=pictures is not None,
     )
     plan_faults(assembly.world, request.faults)
     on_assembly(assembly)
@@ -300,7 +299,6 @@ def _results(
         again = None if talk is None else talk.again
         results = run_statements(statements, assembly.session, attendant, request.on_question, sink, again)
     if pictures is not None:
-        assembly.session.hold(FINAL_HOLD_S)
         pictures.finish(assembly.world)
     return results, assembly.planning.checked, assembly.perception.silences
 

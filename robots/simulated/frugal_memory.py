@@ -20,7 +20,9 @@ _ARENA_MAX, _MMAP_THRESHOLD, _TRIM_THRESHOLD = -8, -3, -1
 _LARGE_BYTES = 131_072
 """What is larger is asked of the system, and goes back to it at once; unless told, the C library raises that
 by itself to 32 MB."""
-_MAPS, _COMPILER = Path("/proc/self/maps"), "libllvmlite"
+_MAPS = Path("/proc/self/maps")
+_COMPILERS = ("libllvmlite", "libLLVM")
+"""Of the kernels, and of the shaders where OpenGL has no graphics card."""
 
 
 def be_frugal() -> None:
@@ -53,18 +55,24 @@ def give_back(*, garbage: bool = False) -> None:
         library.malloc_trim(0)
 
 
-def let_go_of_compiler() -> None:
-    """Give the pages back that hold the compiler's code, 50 MB: it has loaded what was compiled before.
+def make_room() -> None:
+    """Before another world: give back the one that ended, and the compilers' pages."""
+    let_go_of_compilers()
+    give_back(garbage=True)  # a world that nobody holds any more is in no hurry to go by itself
 
-    They are the file's own, unchanged, so that whoever calls the compiler again finds them there. Nothing
-    happens where it is not loaded, or the system has no list of mappings.
+
+def let_go_of_compilers() -> None:
+    """Give the pages back that hold compilers' code, 50 MB each: they have done or loaded what was wanted.
+
+    They are the file's own, unchanged, so that whoever calls a compiler again finds them there. Nothing
+    happens where none is loaded, or the system has no list of mappings.
     """
     if not _MAPS.exists():
         return
     advise = _c_library().madvise
     for line in _MAPS.read_text().splitlines():
         where, allowed, *_, file = line.split(maxsplit=5)
-        if _COMPILER in file and allowed == "r-xp":
+        if allowed == "r-xp" and any(compiler in file for compiler in _COMPILERS):
             first, end = (int(address, 16) for address in where.split("-"))
             advise(ctypes.c_void_p(first), ctypes.c_size_t(end - first), mmap.MADV_DONTNEED)
 

@@ -24,6 +24,7 @@ from executive.screens.display import NoDisplay
 from executive.scripts.task_script import script_for
 from robots.scenes.planned_fault import PlannedFault
 from robots.scenes.scene_writer import dump
+from robots.simulated.frugal_memory import make_room
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.questions import ambiguous_trial
 from tools.evaluate.records import EpisodeRecord
@@ -78,10 +79,10 @@ def _run(order: EpisodeOrder, folder: Path) -> EpisodeRecord:
     what = MEDDLINGS[order.seed % len(MEDDLINGS)]
     meddler = _Meddler(what, float(rng.uniform(0.1, LATEST_S)), _reply(rng))
     request = _request(order, folder, what, rng)
-    performance = perform(request, NoDisplay(), meddler)
-    verdict = replay(recorded_run(request.record, performance.run_name))
+    run_name, simulated_s = _performed(request, meddler)
+    make_room()
+    verdict = replay(recorded_run(request.record, run_name))
     told = " ".join(verdict.lines()) if verdict.difference is not None else None
-    simulated_s = sum(task.times.simulated_s for task in performance.report.tasks)
     return EpisodeRecord(
         seed=order.seed,
         outcome="done" if verdict.difference is None else "failed",
@@ -91,6 +92,12 @@ def _run(order: EpisodeOrder, folder: Path) -> EpisodeRecord:
         attempts=verdict.events,
         simulated_s=simulated_s,
     )
+
+
+def _performed(request: RunRequest, meddler: _Meddler) -> tuple[str, float]:
+    """The name of the recorded run, and how long it took on the robot."""
+    performance = perform(request, NoDisplay(), meddler)
+    return performance.run_name, sum(task.times.simulated_s for task in performance.report.tasks)
 
 
 def _reply(rng: np.random.Generator) -> str | None:

@@ -47,12 +47,13 @@ _UNREAD = ".dae"
 """Meshes of this kind MuJoCo does not read."""
 
 
-def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
+def robot_spec(robot: RobotData, *, drawn: bool = True, collides: bool = True) -> mujoco.MjSpec:
     """Build the robot alone, with position servos and sensors: in the air, or welded to the world.
 
     Args:
         robot: Its data.
         drawn: Whether pictures may be taken of it: meshes that are for these alone are the most of it.
+        collides: Whether it is for physics; otherwise the hulls of its links are left out.
 
     Raises:
         DescriptionError: The URDF lacks a link or joint that the description names.
@@ -78,7 +79,9 @@ def robot_spec(robot: RobotData, *, drawn: bool = True) -> mujoco.MjSpec:
         body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
     _assign_roles(spec, description)
     if not drawn:
-        _leave_out_what_is_only_drawn(spec)
+        _leave_out(spec, DRAWN_GROUP)  # drawn fingers stay, since they stand in lines of sight
+    if not collides:
+        _leave_out(spec, HULL_GROUP)
     _tune_joints(spec, description)
     for sole in description.soles:
         _add_sole(spec, sole)
@@ -168,10 +171,10 @@ def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         geom.friction = (HULL_FRICTION, 0.005, 0.0001)
 
 
-def _leave_out_what_is_only_drawn(spec: mujoco.MjSpec) -> None:
-    """Take away what only pictures show; drawn fingers stay, since they stand in lines of sight."""
+def _leave_out(spec: mujoco.MjSpec, group: int) -> None:
+    """Take away the geoms of a group, and the meshes that nothing else has."""
     for geom in list(spec.geoms):
-        if geom.group == DRAWN_GROUP:
+        if geom.group == group:
             spec.delete(geom)
     used = {geom.meshname for geom in spec.geoms}
     for mesh in list(spec.meshes):

@@ -45,7 +45,7 @@ class StandingView:
         head, camera = robot.description.camera, robot.hardware.cameras[0]
         home = {**robot.description.home, **head.aimed(gaze.pan_rad, gaze.tilt_rad, gaze.lean_rad)}
         robot = replace(robot, description=replace(robot.description, home=home))
-        self._physics, self._camera, self._scene = Physics(robot, scene), camera, scene
+        self._physics, self._camera, self._scene = Physics(robot, scene, drawn=False), camera, scene
         self._studio = Studio(robot, scene, (camera.width_px, camera.height_px))
         self._lens, self._taken = Lens(camera, (seed, 0)), 0
 

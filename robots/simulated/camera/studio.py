@@ -19,6 +19,7 @@ from robots.simulated.camera.looks import add_looks, hide
 from robots.simulated.camera.orders import WorldState
 from robots.simulated.camera.person_looks import add_person_looks, keeps_forearm
 from robots.simulated.camera.picture_looks import add_picture
+from robots.simulated.frugal_memory import give_back, let_go_of_compilers
 from robots.simulated.pictures.opengl import make_context
 
 NEAR_M, FAR_M = 0.05, 40.0
@@ -40,7 +41,7 @@ class Studio:
     """
 
     def __init__(self, robot: RobotData, scene: SceneDescription, size: tuple[int, int]) -> None:
-        spec = robot_spec(robot)
+        spec = robot_spec(robot, collides=False)
         add_scene(spec, scene, robot.description)
         hidden = {item.name for item in scene.objects if add_looks(spec, item)}
         for item in scene.objects:
@@ -52,6 +53,8 @@ class Studio:
         self._people = tuple(filter(keeps_forearm, scene.people))
         self._context = make_context(*size)
         self._model = spec.compile()
+        del spec
+        give_back()
         hide(self._model, hidden)
         self._data, self._body = mujoco.MjData(self._model), mujoco.MjData(self._model)
         self._actuated = [int(self._model.joint(name).qposadr[0]) for name in robot.description.actuated]
@@ -66,7 +69,7 @@ class Studio:
         ):
             option.geomgroup[:] = 0
             option.geomgroup[groups] = 1
-        self._usual_light = self._light()
+        self._usual_light, self._has_shaders = self._light(), False
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -174,6 +177,9 @@ class Studio:
         room = mujoco.MjrRect(0, 0, camera.width_px, camera.height_px)
         mujoco.mjr_render(room, self._scene, self._drawing)
         mujoco.mjr_readPixels(color, raw, room, self._drawing)
+        if not self._has_shaders:
+            let_go_of_compilers()
+            self._has_shaders = True
         depth = NEAR_M * FAR_M / (FAR_M - raw * (FAR_M - NEAR_M))
         depth[depth > _SKY_M] = 0.0
         return np.ascontiguousarray(color[::-1]), np.ascontiguousarray(depth[::-1])

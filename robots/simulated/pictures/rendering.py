@@ -37,6 +37,8 @@ VIDEO_SIZE = (640, 480)
 VIDEO_RATE_HZ = 25
 SMOOTH_SAMPLES = 4
 """Samples a pixel of a single picture; films have one, which is several times faster in software."""
+_STANDS_STILL_S = 0.5
+"""The last picture of a film, which is seen before a player closes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,6 +249,7 @@ class VideoRecorder:
             start_new_session=True,  # Ctrl-C in a terminal is for the run, which ends the film itself
         )
         self._next_s = world.truth.time_s
+        self._last = b""
 
     def tick(self) -> None:
         """Draw a frame if one is due.
@@ -260,26 +263,27 @@ class VideoRecorder:
         picture = self._renderer.draw(self._camera)
         if self._panel is not None:
             picture = np.hstack([picture, self._panel(self._height, self._world.truth.time_s)])
-        if self._encoder.stdin is None:
-            return
+        self._last = picture.tobytes()
         try:
-            self._encoder.stdin.write(picture.tobytes())
+            self._write(self._last)
         except BrokenPipeError:
             self.close()
 
     def close(self) -> None:
-        """Finish the film; twice is fine.
+        """Finish the film, whose last picture stands still for a while; twice is fine.
 
         Raises:
             RenderingUnavailableError: The encoder failed; with its reason.
         """
         if self._encoder is None:
             return
-        encoder, self._encoder = self._encoder, None
+        encoder = self._encoder
         try:
+            self._write(self._last * round(_STANDS_STILL_S * self._rate_hz))
             encoder.communicate()
         except BrokenPipeError:  # the encoder is gone; its messages say why
             encoder.wait()
+        self._encoder = None
         self._renderer.close()
         self._messages.seek(0)
         said = self._messages.read().decode("utf-8", "replace").strip().splitlines()
@@ -287,3 +291,7 @@ class VideoRecorder:
         if encoder.returncode != 0:
             reason = said[-1] if said else f"exit code {encoder.returncode}"
             raise RenderingUnavailableError(f"ffmpeg could not write {self._path}: {reason}")
+
+    def _write(self, pictures: bytes) -> None:
+        if self._encoder is not None and self._encoder.stdin is not None:
+            self._encoder.stdin.write(pictures)

@@ -83,7 +83,7 @@ def run(tmp_path):
     scene = tmp_path / "two_cups.toml"
     scene.write_text(TWO_CUPS)
 
-    def record(text, faults=(), perception=None, **meddling):
+    def record(text, faults=(), perception=None, snapshot=None, **meddling):
         script = tmp_path / "script.toml"
         if text.startswith("[["):
             script.write_text(text)
@@ -91,7 +91,7 @@ def run(tmp_path):
         statements = (script_for(text) if kept is None else load_script(script)).statements
         request = RunRequest(
             text, statements, "talos", str(scene), 3, tmp_path / "runs", script=kept, faults=tuple(faults),
-            perception=perception,
+            perception=perception, snapshot=snapshot,
         )  # fmt: skip
         performance = perform(request, NoDisplay(), Meddling(**meddling))
         return performance, recorded_run(tmp_path / "runs", "latest")
@@ -131,6 +131,15 @@ def test_what_the_camera_saw_is_seen_again(run):
 
     assert verdict.difference is None
     assert verdict.events > 3
+
+
+@pytest.mark.opengl
+@pytest.mark.requirement("U1")
+def test_a_run_of_which_a_picture_was_taken_comes_out_the_same_without(run, tmp_path):
+    _, recorded = run("pick up the red cup", snapshot=tmp_path / "end.png", cancel_s=0.8)
+
+    assert (tmp_path / "end.png").exists()
+    assert replay(recorded).difference is None
 
 
 @pytest.mark.requirement("U1", "S4")

@@ -69,7 +69,7 @@ LET_GO = """
 import pathlib
 import numpy as np
 import numba
-from robots.simulated.frugal_memory import let_go_of_compiler
+from robots.simulated.frugal_memory import let_go_of_compilers
 
 @numba.njit
 def doubled(a):
@@ -80,7 +80,7 @@ def resident_mib():
 
 assert doubled(np.ones(3))[0] == 2.0
 before = resident_mib()
-let_go_of_compiler()
+let_go_of_compilers()
 let_go = before - resident_mib()
 assert doubled(np.ones((3, 1)))[0, 0] == 2.0  # another signature: the compiler is wanted again
 print(let_go)

@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
 from robots.clock import WallClock
-from robots.simulated.frugal_memory import be_frugal, give_back, let_go_of_compiler
+from robots.simulated.frugal_memory import be_frugal, make_room
 
 DEATHS = 5
 """An order is tried again when its process dies, and given up when so many have died of it."""
@@ -65,8 +65,7 @@ class Ended(Generic[Order, Record]):
 def run_tidily(run: Callable[[Order], Record], order: Order) -> tuple[Record, Cost]:
     """Run one order here, and say what it took."""
     be_frugal()
-    let_go_of_compiler()
-    give_back(garbage=True)  # a world that nobody holds any more is in no hurry to go by itself
+    make_room()
     clock, began_processor_s = WallClock(), time.process_time()
     record = run(order)
     memory_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / _KB_A_MB

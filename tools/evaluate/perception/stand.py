@@ -40,7 +40,7 @@ class Stand:
         self._own, self._scene, self._seed = robot.hardware.cameras[0], what.scene, seed
         lenses = [self._own, *(camera.lens for camera in what.scene.cameras)]
         size = max(one.width_px for one in lenses), max(one.height_px for one in lenses)
-        self._physics = Physics(robot, what.scene)
+        self._physics = Physics(robot, what.scene, drawn=False)
         self._studio = Studio(robot, what.scene, size)
         data, model = self._physics.data, self._studio.model
         self._studio.place(WorldState(data.qpos, data.mocap_pos, data.mocap_quat))

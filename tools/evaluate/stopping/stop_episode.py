@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from executive.understanding.command_parser import parse
+from robots.simulated.frugal_memory import make_room
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
 from tools.evaluate.stopping.courses import (
@@ -71,6 +72,7 @@ def run_stops(order: StopOrder) -> list[StopRecord]:
     try:
         rng = episode_rng(order.seed, 3)
         moments = choose(record(course, order.seed, order.robot), order.wanted, rng)
+        make_room()
         _Stopper(order, moments, rng, branches).run()
     except Exception:
         branches.break_off()

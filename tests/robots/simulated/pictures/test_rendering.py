@@ -66,8 +66,12 @@ def test_a_film_has_a_frame_for_every_twenty_fifth_of_a_second(body, tmp_path):
     body.run(0.2, film.tick)
     film.close()
     film.close()
+    counted = subprocess.run(
+        [rendering.require_ffmpeg(), "-i", str(path), "-f", "null", "-"], capture_output=True, text=True
+    )
 
     assert len(drawn) == 5
+    assert int(counted.stderr.rpartition("frame=")[2].split()[0]) == 5 + 12  # the last one stands still
     assert path.read_bytes()[4:8] == b"ftyp"
 
 
