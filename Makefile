@@ -5,6 +5,7 @@ SHELL := /bin/bash
 VENV ?= .venv
 BIN := $(VENV)/bin
 JOBS ?= 2
+PEERS := ros_jazzy ros_kilted smollm2 libero
 EPISODES ?= 200
 SEED ?= 0
 # Suites of `make evaluate`; QUICK=1 cuts every run of `make report` short.
@@ -55,7 +56,7 @@ test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
 
 test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client, a browser
-	-$(BIN)/python -m tools.benchmark.peers ros_jazzy ros_kilted smollm2 libero  # one that cannot be installed is named and left out
+	-$(BIN)/python -m tools.benchmark.peers $(PEERS)  # one that cannot be installed is named and left out
 	@# the wheel compiles all there is for minutes, while the others mostly wait for a robot in real time
 	@nice -n 10 $(BIN)/python -m pytest --peers tests/peers/test_wheel.py & wheel=$$!; \
 	trap 'kill $$wheel 2>/dev/null' EXIT; \
@@ -68,7 +69,8 @@ check: $(VENV)/.dev-stamp  ## style, types, layers, architecture
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/python -m pytest -q tests/architecture
 
-requirements: $(VENV)/.dev-stamp  ## which requirements are proven by a test, which are not
+requirements: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## which requirements are proven by a test, which are not
+	-$(BIN)/python -m tools.benchmark.peers $(PEERS)
 	$(BIN)/python -m tools.documents.requirements_report --jobs $(JOBS)
 
 evaluate: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## random episodes, judged by the simulator's truth; their pages are made anew

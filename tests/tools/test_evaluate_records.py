@@ -2,6 +2,7 @@
 
 import io
 import json
+import math
 
 import pytest
 from rich.console import Console
@@ -55,6 +56,13 @@ def test_clean_episodes_meet_every_demand():
 )
 def test_one_bad_episode_of_ten_misses_its_demand(worst, demand):
     assert demand in missed(summary(*[record(i) for i in range(9)], record(9, **worst)))
+
+
+def test_balance_that_nobody_watched_is_not_told_of():
+    watched, unwatched = summary(record(com_margin_m=0.03)), summary(record(com_margin_m=math.inf))
+
+    assert "CoM margin" in [bar.name for bar in watched.bars()]
+    assert "CoM margin" not in [bar.name for bar in unwatched.bars()]
 
 
 def test_in_clutter_nothing_but_the_target_may_be_touched():

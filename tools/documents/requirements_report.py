@@ -113,7 +113,7 @@ def main() -> int:
     options = parser.parse_args()
     collector = Collector()
     usual = ["-q", "-m", "requirement", "--tb=line"]
-    pytest.main([*usual, "-n", str(options.jobs)], plugins=[collector])
+    pytest.main([*usual, "-n", str(options.jobs), "--dist", "worksteal"], plugins=[collector])
     pytest.main([*usual, "--peers", str(PEERS)], plugins=[collector])
     found = verdicts(requirement_rows(REQUIREMENTS.read_text("utf-8")), collector.counts)
     print_table(found, Console(width=140))

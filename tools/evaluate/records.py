@@ -193,10 +193,17 @@ class Summary:
         )
         return dict(sorted(kinds.items()))
 
+    def balance(self) -> list[Bar]:
+        """The demand on the CoM; none where it was not watched, as in walks and with a welded robot."""
+        margin = min((record.com_margin_m for record in self.records), default=math.inf)
+        if math.isinf(margin):
+            return []
+        limit = self.com_margin_limit_m
+        return [Bar("CoM margin", f"{1e3 * margin:.0f} mm", f"≥ {1e3 * limit:.0f} mm", margin >= limit)]
+
     def bars(self) -> list[Bar]:
         """The demands that this run can judge."""
         count = len(self.records)
-        margins = [record.com_margin_m for record in self.records]
         bars = [
             Bar("claimed, and not so", str(self.false_success), "0", self.false_success == 0),
             Bar(
@@ -219,8 +226,7 @@ class Summary:
             bars.append(Bar("episodes with another object touched", str(touched), "0", touched == 0))
         if self.fault is None:
             slips = [record.slip_m for record in self.records if record.slip_m is not None and record.truth]
-            worst_slip, margin = max(slips, default=0.0), min(margins, default=math.inf)
-            limit = self.com_margin_limit_m
+            worst_slip = max(slips, default=0.0)
             bars += [
                 Bar(
                     "lifted and held",
@@ -234,7 +240,7 @@ class Summary:
                     f"≤ {1e3 * SLIP_BAR_M:.0f} mm",
                     worst_slip <= SLIP_BAR_M,
                 ),
-                Bar("CoM margin", f"{1e3 * margin:.0f} mm", f"≥ {1e3 * limit:.0f} mm", margin >= limit),
+                *self.balance(),
             ]
         if self.recoverable:
             share = _share(record.truth and record.claimed for record in self.recoverable)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,8 +18,6 @@ class SkillSummary(Summary):
         """Truth, claims, falls, contacts and balance; under a fault, only what must never happen."""
         count = len(self.records)
         errors = sum(record.outcome == "error" for record in self.records)
-        margin = min((record.com_margin_m for record in self.records), default=math.inf)
-        limit = self.com_margin_limit_m
         share = self.false_failure / max(count, 1)
         wanted = SKILL_SUITES[self.suite].bar if self.suite in SKILL_SUITES else SUCCESS_BAR
         done = Bar("truly done", f"{self.success_rate:.1%}", f"≥ {wanted:.0%}", self.success_rate >= wanted)
@@ -40,7 +37,7 @@ class SkillSummary(Summary):
                 "0",
                 not self.unwanted_contacts,
             ),
-            Bar("CoM margin", f"{1e3 * margin:.0f} mm", f"≥ {1e3 * limit:.0f} mm", margin >= limit),
+            *self.balance(),
             Bar("broken episodes", str(errors), "0", errors == 0),
         ]
 
