@@ -11,7 +11,7 @@ from kinematics.geometry.poses import Transform
 from robots.interface.depth_camera import DepthCamera
 from robots.interface.hardware import RobotData
 from robots.scenes.scene_description import SceneDescription
-from robots.simulated.body.body_model import ROOT_JOINT, robot_spec
+from robots.simulated.body.body_model import robot_spec
 from robots.simulated.body.geom_roles import DRAWN_GROUP, FINGER_DRAWN_GROUP, WORLD_GROUP
 from robots.simulated.body.person_model import draw_forearms
 from robots.simulated.body.scene_model import add_scene
@@ -58,7 +58,6 @@ class Studio:
         hide(self._model, hidden)
         self._data, self._body = mujoco.MjData(self._model), mujoco.MjData(self._model)
         self._actuated = [int(self._model.joint(name).qposadr[0]) for name in robot.description.actuated]
-        self._root = int(self._model.joint(ROOT_JOINT).qposadr[0])
         self._scene = mujoco.MjvScene(self._model, maxgeom=2000)
         self._drawing = mujoco.MjrContext(self._model, int(mujoco.mjtFontScale.mjFONTSCALE_100))
         mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._drawing)

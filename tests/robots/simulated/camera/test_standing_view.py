@@ -3,18 +3,25 @@
 import math
 from dataclasses import replace
 
+import mujoco
 import numpy as np
 import pytest
 from PIL import Image
 
+from kinematics.geometry import poses
+from robots.interface.depth_camera import DepthCamera
 from robots.models.description import load_robot
 from robots.perception.rgbd.eyes import Eyes
 from robots.scenes.scene_description import Person, SceneDescription
-from robots.scenes.scene_file import read_scene
+from robots.scenes.scene_file import load_scene, read_scene
+from robots.simulated.body import body_model
+from robots.simulated.camera import studio
+from robots.simulated.camera.orders import WorldState
 from robots.simulated.camera.showing import shown_views
 from robots.simulated.camera.standing_view import Gaze, standing_picture
 
 pytestmark = [pytest.mark.opengl, pytest.mark.slow]
+CAMERA = DepthCamera("beside", "nowhere", 60.0, width_px=96, height_px=72)
 SOUP = """
 [[furniture]]
 name = "table"
@@ -101,3 +108,29 @@ def test_a_picture_is_the_right_way_up(talos, soup):
     middle = view.color.shape[1] // 2
     assert upper[middle, 0] > upper[middle, 2]
     assert lower[middle, 2] > lower[middle, 0]
+
+
+@pytest.mark.parametrize("robot", ["talos", "g1", "panda"])
+def test_hulls_that_nobody_sees_make_no_difference_to_a_picture(monkeypatch, robot):
+    data, scene = load_robot(robot), load_scene("bench" if robot == "panda" else "flat")
+    sizes = []
+
+    def seen(collides):
+        monkeypatch.setattr(
+            studio, "robot_spec", lambda robot, **_: body_model.robot_spec(robot, collides=collides)
+        )
+        drawn = studio.Studio(data, scene, (96, 72))
+        sizes.append(mujoco.mj_sizeModel(drawn.model))
+        start = mujoco.MjData(drawn.model)
+        drawn.place(WorldState(start.qpos, start.mocap_pos, start.mocap_quat))
+        at_its_right = poses.transform(poses.rotation_x(-math.pi / 2), (0.2, -1.5, 0.4))
+        pictures = drawn.draw(CAMERA, at_its_right, from_the_side=False)
+        drawn.close()
+        return pictures
+
+    (color, depth), (same_color, same_depth) = seen(collides=False), seen(collides=True)
+
+    assert ((depth > 0.5) & (depth < 2.5)).sum() > 100  # the robot is in the picture
+    assert np.array_equal(color, same_color)
+    assert np.array_equal(depth, same_depth)
+    assert sizes[0] < sizes[1]
