@@ -95,7 +95,7 @@ def _run(order: EpisodeOrder, folder: Path) -> EpisodeRecord:
 
 
 def _performed(request: RunRequest, meddler: _Meddler) -> tuple[str, float]:
-    """The name of the recorded run, and how long it took on the robot."""
+    """The name of the recorded run, and how long it took on the robot: nothing that would keep its world."""
     performance = perform(request, NoDisplay(), meddler)
     return performance.run_name, sum(task.times.simulated_s for task in performance.report.tasks)
 

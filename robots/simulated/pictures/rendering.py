@@ -263,9 +263,11 @@ class VideoRecorder:
         picture = self._renderer.draw(self._camera)
         if self._panel is not None:
             picture = np.hstack([picture, self._panel(self._height, self._world.truth.time_s)])
+        if self._encoder.stdin is None:
+            return
         self._last = picture.tobytes()
         try:
-            self._write(self._last)
+            self._encoder.stdin.write(self._last)
         except BrokenPipeError:
             self.close()
 
@@ -277,13 +279,11 @@ class VideoRecorder:
         """
         if self._encoder is None:
             return
-        encoder = self._encoder
+        encoder, self._encoder = self._encoder, None
         try:
-            self._write(self._last * round(_STANDS_STILL_S * self._rate_hz))
-            encoder.communicate()
+            encoder.communicate(self._last * round(_STANDS_STILL_S * self._rate_hz))
         except BrokenPipeError:  # the encoder is gone; its messages say why
             encoder.wait()
-        self._encoder = None
         self._renderer.close()
         self._messages.seek(0)
         said = self._messages.read().decode("utf-8", "replace").strip().splitlines()
@@ -291,7 +291,3 @@ class VideoRecorder:
         if encoder.returncode != 0:
             reason = said[-1] if said else f"exit code {encoder.returncode}"
             raise RenderingUnavailableError(f"ffmpeg could not write {self._path}: {reason}")
-
-    def _write(self, pictures: bytes) -> None:
-        if self._encoder is not None and self._encoder.stdin is not None:
-            self._encoder.stdin.write(pictures)
