@@ -12,8 +12,9 @@ import pytest
 from executive.doors.served_robot import ServedRobot
 from executive.live.caller.caller import ask_at
 from robots.live.wire.errors import LiveError
-from robots.live.wire.messages import GetStatus, Reset, write_control_message
+from robots.live.wire.messages import GetStatus, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
+from tests.peers.person import leave_stop
 
 CHROMIUM = shutil.which("chromium")
 ARGUMENTS = [
@@ -63,8 +64,7 @@ class Served:
 
     def reset(self):
         """Leave the emergency stop, as a person at the robot does."""
-        ask_at(self.where.control_socket, write_control_message(Reset("a test")))
-        until(lambda: not self.is_stopped())
+        leave_stop(self.where.path)
 
     def come_to_rest(self):
         """Cancel what is under way, and wait until nothing is."""

@@ -15,9 +15,8 @@ from mcp_types import ElicitResult
 from PIL import Image
 
 from executive.doors.served_robot import ServedRobot
-from executive.live.caller.caller import ask_at
-from robots.live.wire.messages import Reset, write_control_message
 from robots.live.wire.runtime_folder import RuntimeFolder
+from tests.peers.person import leave_stop
 from tools.evaluate.mcp.door import KINDS, McpDoor
 
 pytestmark = [pytest.mark.requirement("L7"), pytest.mark.timeout(400)]
@@ -190,8 +189,7 @@ def test_a_stop_latches_and_no_tool_resets_it(served, talk, kind):
         assert "a person" in talk(kind, dialogue)
         assert ServedRobot(served).status()["emergency"]
     finally:
-        time.sleep(3.0)
-        ask_at(RuntimeFolder(served).control_socket, write_control_message(Reset("a test")))
+        leave_stop(served)
 
 
 @pytest.mark.requirement("S9")

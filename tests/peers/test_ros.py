@@ -11,10 +11,8 @@ import executive.doors.ros.node
 from executive.doors.ros.node.client_watch import LEASE_S
 from executive.doors.ros.node.ending import ENDS_WITHIN_S
 from executive.doors.served_robot import ServedRobot
-from executive.live.caller.caller import ask_at
-from robots.live.wire.messages import Reset, write_control_message
-from robots.live.wire.runtime_folder import RuntimeFolder
 from robots.models.description import load_description, load_robot
+from tests.peers.person import leave_stop
 
 pytestmark = [pytest.mark.requirement("U3"), pytest.mark.timeout(400)]
 NODE = Path(executive.doors.ros.node.__file__).parent / "humanoid_node.py"
@@ -126,11 +124,7 @@ def test_the_emergency_stop_latches_and_false_does_not_release_it(served, peer, 
         assert robot.status()["emergency"]
         assert any("emergency stop engaged" in line for line in lines)
     finally:
-        began_s = time.monotonic()
-        while robot.status()["emergency"]:  # a robot that still brakes is not reset
-            assert time.monotonic() - began_s < 60.0, "the emergency stop is not left"
-            time.sleep(0.2)
-            ask_at(RuntimeFolder(served).control_socket, write_control_message(Reset("a test")))
+        leave_stop(served)
 
 
 @contextlib.contextmanager

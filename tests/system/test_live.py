@@ -120,7 +120,8 @@ def test_it_stops_in_the_middle_is_reset_goes_on_and_stands_when_its_executive_i
     assert served.of("EmergencyStopped")
     assert served.result(served.say("go home"))["exit_code"] == 5
 
-    assert served.ask(write_control_message(Reset("test")))["type"] == "done"
+    reset = write_control_message(Reset("test"))
+    served.wait(lambda: served.ask(reset)["type"] == "done", "it has come to rest and is reset")
     served.wait(lambda: not served.status()["reservations"], "the machine keeps up")
     seen = len(served.events)
     home = served.say("go home")
