@@ -5,7 +5,7 @@ import pytest
 from tools.benchmark.many_cores import Took, predicted
 from tools.evaluate.harness.worker_pool import EPISODES_A_PROCESS
 
-ALIKE = Took(all_s=0.0, begun_s=5.0, episodes_s=(2.0,), kept_s=0.01)
+ALIKE = Took(all_s=0.0, begun_s=5.0, episodes_s=(2.0,), processors_s=(2.0,), kept_s=0.01)
 
 
 def test_one_core_runs_all_in_turn_and_begins_anew_when_it_is_used_up():

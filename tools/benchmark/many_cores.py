@@ -11,7 +11,7 @@ import heapq
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -46,6 +46,7 @@ class Took:
         all_s: Wall time from the first order to the last record.
         begun_s: Until a worker was at its first episode.
         episodes_s: Wall time of each episode.
+        processors_s: Processor time of each.
         kept_s: Processor time of the process that hands out and keeps, for each episode.
         told_s: What Ray says that all episodes took together; 0 without it.
     """
@@ -53,6 +54,7 @@ class Took:
     all_s: float
     begun_s: float
     episodes_s: tuple[float, ...]
+    processors_s: tuple[float, ...]
     kept_s: float
     told_s: float = 0.0
 
@@ -68,6 +70,7 @@ def many_cores(quick: bool) -> list[Figure]:
             found.append(
                 figure(f"{name}, {count} episodes on {jobs}, s", [took.all_s], "the model", [predicted_s])
             )
+        found += _beside_another(name, count, one, two)
         a_core_hour = _HOUR_S / (float(np.mean(one.episodes_s)) + one.kept_s)
         found += [
             figure(f"{name}, episodes a core-hour", [a_core_hour]),
@@ -84,6 +87,16 @@ def many_cores(quick: bool) -> list[Figure]:
             for cores in CORES
         ]
     return found
+
+
+def _beside_another(name: str, count: int, one: Took, two: Took) -> list[Figure]:
+    """What the model leaves out, told apart: what an episode costs where another one runs beside it."""
+    shared_s = predicted(replace(one, episodes_s=two.episodes_s), count, 2)
+    return [
+        figure(f"{name}, an episode beside another, s", two.episodes_s, "alone", one.episodes_s),
+        figure(f"{name}, of it processor time, s", two.processors_s, "alone", one.processors_s),
+        figure(f"{name}, {count} episodes on 2, s", [two.all_s], "the model, an episode as long", [shared_s]),
+    ]
 
 
 def predicted(took: Took, count: int, cores: int) -> float:
@@ -135,16 +148,19 @@ def _measured(backend: Backend, count: int, jobs: int) -> Took:
         journal = Journal[EpisodeOrder, EpisodeRecord](Path(folder) / "all.jsonl", "pick", "", run_episode)
         began_s, begun_s, before_s, all_s, kept_s, told_s = wall.now_s(), 0.0, 0.0, 0.0, 0.0, 0.0
         episodes_s: list[float] = []
+        processors_s: list[float] = []
         for ended in backend(orders, jobs):
             assert ended.record is not None
             journal.add(ended.order, ended.record, ended.cost)
             if not episodes_s:  # what comes before is the start
                 begun_s, before_s = wall.now_s() - began_s - ended.cost.wall_s, time.process_time()
             episodes_s.append(ended.cost.wall_s)
+            processors_s.append(ended.cost.processor_s)
             all_s, kept_s = wall.now_s() - began_s, time.process_time() - before_s
             if len(episodes_s) == count and backend is _ray:
                 told_s = _told_by_ray()
-    return Took(all_s, begun_s, tuple(episodes_s), kept_s / max(count - 1, 1), told_s)
+    mean_kept_s = kept_s / max(count - 1, 1)
+    return Took(all_s, begun_s, tuple(episodes_s), tuple(processors_s), mean_kept_s, told_s)
 
 
 def _told_by_ray() -> float:

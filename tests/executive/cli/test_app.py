@@ -429,21 +429,6 @@ def test_parsing_needs_neither_robot_nor_numbers():
     assert run_process("-c", code).stdout.strip() == "[]"
 
 
-@pytest.mark.requirement("U1")
-def test_the_same_seed_in_two_processes_gives_the_same_digest(tmp_path):
-    digests = []
-    for number in range(2):
-        report = tmp_path / f"{number}.json"
-        environment = {**os.environ, "XDG_DATA_HOME": str(tmp_path), "PYTHONHASHSEED": str(number)}
-        done = run_process(
-            "-m", "executive", "run", "go home", "--seed", "3", "--report", str(report), env=environment
-        )
-        assert done.returncode == 0, done.stderr
-        digests.append(json.loads(report.read_text())["events_sha256"])
-
-    assert digests[0] == digests[1]
-
-
 def test_surrogates_from_a_broken_terminal_are_refused_without_a_traceback(tmp_path):
     environment = {**os.environ, "XDG_DATA_HOME": str(tmp_path), "PYTHONUTF8": "1"}
     done = run_process("-m", "executive", "run", b"pick up \xff", "--quiet", env=environment)

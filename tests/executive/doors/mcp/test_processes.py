@@ -149,18 +149,17 @@ def test_a_question_is_put_to_the_person_over_http(served, http, mode):
 
 
 @pytest.mark.requirement("S9")
-@pytest.mark.parametrize("token", ["", "wrong", TOKEN + "x"])
-def test_without_the_token_nothing_is_answered(served, http, token):
-    with pytest.raises(BaseExceptionGroup):
-        talk(http.client(token), carried_out)
-    headers = {"Authorization": f"Bearer {token}"} if token else {}
-    assert httpx2.post(http.url, headers=headers, json={}).status_code == 401
+def test_without_the_token_nothing_is_answered(served, http):
+    for token in ("", "wrong", TOKEN + "x"):
+        with pytest.raises(BaseExceptionGroup):
+            talk(http.client(token), carried_out)
+        headers = {"Authorization": f"Bearer {token}"} if token else {}
+        assert httpx2.post(http.url, headers=headers, json={}).status_code == 401
     assert served.said == []
 
 
 @pytest.mark.requirement("S7")
-@pytest.mark.parametrize("waits", ["waits", "between calls"])
-@pytest.mark.parametrize("mode", ["auto", "legacy"])
+@pytest.mark.parametrize(("mode", "waits"), [("auto", "waits"), ("legacy", "between calls")])
 def test_a_client_over_http_that_is_killed_ends_its_task_and_the_next_is_served(served, http, mode, waits):
     served.holds = True
     with dying_client("http", mode, waits, http.url, TOKEN) as process:
@@ -173,8 +172,7 @@ def test_a_client_over_http_that_is_killed_ends_its_task_and_the_next_is_served(
 
 
 @pytest.mark.requirement("S7")
-@pytest.mark.parametrize("waits", ["waits", "between calls"])
-@pytest.mark.parametrize("mode", ["auto", "legacy"])
+@pytest.mark.parametrize(("mode", "waits"), [("auto", "waits"), ("legacy", "between calls")])
 def test_a_client_over_stdio_that_is_killed_ends_its_server_and_its_task(served, mode, waits):
     served.holds = True
     with dying_client("stdio", mode, waits, "mcp", "--folder", str(served.folder.path)) as process:
