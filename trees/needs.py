@@ -34,7 +34,7 @@ def why_lacking(need: Need, robot: RobotDescription) -> str | None:
             return f"{robot.name} is not known to walk"
         case Need.EYES if robot.head_camera is None:
             return f"{robot.name} has no camera"
-        case Need.EYES if robot.head_camera is not None and robot.head_camera.neck is None:
+        case Need.EYES if robot.head_camera is not None and not robot.head_camera.aims:
             return f"the camera of {robot.name} stays as it is"
     return None
 

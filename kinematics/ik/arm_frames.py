@@ -20,6 +20,8 @@ from kinematics.model.robot_model import RobotModel
 
 # A joint that is turned farther from the vertical than this, as a cosine, turns no trunk.
 _VERTICAL = 0.99
+# From shoulder to TCP of the arm that the measures of gestures were found with, TALOS's.
+_USUAL_ARM_M = 0.739
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +149,12 @@ def _frames(places_m: Array, world_R_tcp: Array, ahead: Array) -> ArmFrames:
 def arm_kinematics(model: RobotModel, hand: Hand, trunk: bool = True) -> ArmKinematics:
     """Those of a model's arm, made once for each robot."""
     return robot_build(model).derived(_made, hand, trunk)
+
+
+def arm_share(model: RobotModel, hand: Hand) -> float:
+    """How long an arm is beside the one that gestures were measured with, as a share of it; at most 1."""
+    length_m = float(arm_kinematics(model, hand).at(model.q_home).length_m()[0])
+    return min(1.0, length_m / _USUAL_ARM_M)
 
 
 def _made(build: RobotBuild, hand: Hand, trunk: bool) -> ArmKinematics:

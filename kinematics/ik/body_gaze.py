@@ -10,7 +10,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.ik.gaze import gaze_joints
+from kinematics.ik.gaze import aiming_joints
 from kinematics.model.robot_model import RobotModel
 
 # Tried in turn, the smallest help first.
@@ -81,7 +81,7 @@ def _with_trunk(
     """The smallest lean and turn that aim well, or those that aim best."""
     camera = model.description.camera
     leans = LEANS_RAD if camera.lean_joint is not None else (0.0,)
-    turns = TURNS_RAD if turning_joint is not None else (0.0,)
+    turns = TURNS_RAD if turning_joint is not None and camera.trunk is None else (0.0,)
     tries = sorted(
         ((lean, turn) for lean in leans for turn in turns), key=lambda pair: abs(pair[0]) + abs(pair[1])
     )
@@ -96,7 +96,7 @@ def _with_trunk(
                 joints[joint] = float(
                     np.clip(angle, model.lower_rad[index] + margin, model.upper_rad[index] - margin)
                 )
-        joints |= gaze_joints(model, with_joints(shifted, model, joints), point)
+        joints |= aiming_joints(model, with_joints(shifted, model, joints), point)
         off = off_axis_rad(model, with_joints(shifted, model, joints), point)
         if best is None or off < best.off_rad:
             best = BodyGaze(joints, pelvis_m, off)

@@ -36,8 +36,22 @@ def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
     camera = model.description.camera
     if camera.neck is None:
         return {}
-    pan_joint, tilt_joint = camera.neck
-    pan, tilt = model.joint_index(pan_joint), model.joint_index(tilt_joint)
+    return _turned_to(model, q, point, camera.neck, (-math.inf, math.inf))
+
+
+def aiming_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
+    """As ``gaze_joints``, with the trunk where it aims the camera in a neck's place."""
+    trunk = model.description.camera.trunk
+    if trunk is None:
+        return gaze_joints(model, q, point)
+    return _turned_to(model, q, point, (trunk.turn_joint, trunk.bow_joint), trunk.bow_rad)
+
+
+def _turned_to(
+    model: RobotModel, q: Array, point: Array, joints: tuple[str, str], tilt_rad: tuple[float, float]
+) -> dict[str, float]:
+    """Positions of two joints, one that pans and one that tilts within bounds, that look at a point."""
+    pan, tilt = model.joint_index(joints[0]), model.joint_index(joints[1])
     margin = model.description.planning_margin_rad
     q = q.copy()
     place = point.tolist()
@@ -45,12 +59,15 @@ def gaze_joints(model: RobotModel, q: Array, point: Array) -> dict[str, float]:
         (7 + index, float(model.lower_rad[index]) + margin, float(model.upper_rad[index]) - margin)
         for index in (pan, tilt)
     ]
+    column, low, high = bounds[1]
+    bounds[1] = column, max(low, tilt_rad[0]), min(high, tilt_rad[1])
+    frame = model.description.camera.frame
     for _ in range(ITERATIONS):
         # plain numbers: calls on arrays of three would take as long as the kinematics
-        (a, b, c, p), (d, e, f, r), (g, h, i, s), _ = model.frame_pose(q, camera.frame).tolist()
+        (a, b, c, p), (d, e, f, r), (g, h, i, s), _ = model.frame_pose(q, frame).tolist()
         u, v, w = place[0] - p, place[1] - r, place[2] - s
         x, y, z = a * u + d * v + g * w, b * u + e * v + h * w, c * u + f * v + i * w
         # the optical frame: x to the right, y down, z ahead; a positive pan turns left
         for (column, low, high), turn in zip(bounds, (-math.atan2(x, z), math.atan2(y, z)), strict=True):
             q[column] = min(max(float(q[column]) + turn, low), high)
-    return {pan_joint: float(q[7 + pan]), tilt_joint: float(q[7 + tilt])}
+    return {joints[0]: float(q[7 + pan]), joints[1]: float(q[7 + tilt])}

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
+from kinematics.model.camera_description import CameraDescription
 from kinematics.model.walking_settings import WalkingSettings
 
 if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
@@ -203,53 +204,6 @@ class SoleDescription:
     x_m: tuple[float, float]
     y_m: tuple[float, float]
     thickness_m: float
-
-
-@dataclass(frozen=True, slots=True)
-class CameraDescription:
-    """The camera that the robot goes by: optical frame (z forward, x right, y down), view, what aims it.
-
-    Attributes:
-        frame: Its optical frame, on any link: of a head, or of a stand that the base is bolted to.
-        horizontal_fov_rad, vertical_fov_rad: Angles of view.
-        range_m: Nearest and farthest that it sees.
-        pan_joint, tilt_joint: The joints of a neck that aim it; None of a camera that stays as it is.
-        lean_joint: Bends the trunk forward (positive), for looking at what is close to the body; None when
-            the robot has no such joint.
-    """
-
-    frame: str
-    horizontal_fov_rad: float
-    vertical_fov_rad: float
-    range_m: tuple[float, float]
-    pan_joint: str | None = None
-    tilt_joint: str | None = None
-    lean_joint: str | None = None
-
-    @property
-    def neck(self) -> tuple[str, str] | None:
-        """The joints that pan and tilt it; None where none do."""
-        if self.pan_joint is None or self.tilt_joint is None:
-            return None
-        return self.pan_joint, self.tilt_joint
-
-    def aimed(self, pan_rad: float, tilt_rad: float, lean_rad: float | None = None) -> dict[str, float]:
-        """Positions of those joints that there are, by name, for a gaze.
-
-        Args:
-            pan_rad: To the left.
-            tilt_rad: Down.
-            lean_rad: Of the trunk, forward; None leaves the trunk out.
-        """
-        joints = {} if self.neck is None else {self.neck[1]: tilt_rad, self.neck[0]: pan_rad}
-        if self.lean_joint is not None and lean_rad is not None:
-            joints[self.lean_joint] = lean_rad
-        return joints
-
-    @property
-    def fixed(self) -> bool:
-        """Whether no joint aims it: one look shows all that there is to see."""
-        return self.neck is None and self.lean_joint is None
 
 
 @dataclass(frozen=True, slots=True)

@@ -113,7 +113,7 @@ class GesturePlanner:
     def _raise(self, request: RaiseHandRequest) -> MovePlan | NoPlan:
         task = self._make_task(self._model, request.q_start, request, request.hand, request.seed)
         target = np.array(request.towards_m)
-        ahead, aside, up = WAVING_M
+        ahead, aside, up = (task.share * measure for measure in WAVING_M)
 
         def residual(at: ArmFrames) -> Array:
             turn = poses.rotations_z(at.bearing_rad(target))
@@ -189,7 +189,7 @@ class GesturePlanner:
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
         held, person = _HeldInHand(body.frame_T_object), np.array(request.person_m)
-        ahead, inwards, down = OFFER_M
+        ahead, inwards, down = (task.share * measure for measure in OFFER_M)
 
         def across(at: ArmFrames, item_m: Array) -> Array:
             """Cosine of the angle between the fingers' closing and the way to the person, shape (n,)."""
@@ -246,7 +246,7 @@ class GesturePlanner:
         home = StandingRobot.of(self._model, request.stance).q_home
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
         held = _HeldInHand(body.frame_T_object)
-        ahead, inwards, down = CARRY_M
+        ahead, inwards, down = (task.share * measure for measure in CARRY_M)
         watched = home[:3] + facing @ CARRY_LOOK_M
         watched[2] = CARRY_LOOK_M[2]
 

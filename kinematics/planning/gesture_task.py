@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.arrays import Array
-from kinematics.ik.arm_frames import ArmFrames, arm_kinematics
+from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, arm_share
 from kinematics.ik.arm_posture import Residual, arm_posture
 from kinematics.ik.gaze import gaze_joints
 from kinematics.model.robot_description import Hand
@@ -59,6 +59,7 @@ class GestureTask(ABC):
     Attributes:
         arm: The arm that makes the gesture.
         outwards: 1 for the left hand, -1 for the right one: the sign of its side.
+        share: What a short arm leaves of the measures of a gesture.
     """
 
     def __init__(
@@ -68,6 +69,7 @@ class GestureTask(ABC):
         self._robot = StandingRobot.of(model, request.stance)
         self._rng = np.random.default_rng(seed)
         self.arm = arm_kinematics(model, hand)
+        self.share = arm_share(model, hand)
         self.outwards = 1.0 if hand == "left" else -1.0
         self._home = self._robot.q_home
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from robots.clock import Clock
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.detector import Detection, PerceptionFrame

@@ -9,7 +9,8 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
-from kinematics.model.robot_description import CameraDescription, Hand, SoleDescription
+from kinematics.model.camera_description import CameraDescription
+from kinematics.model.robot_description import Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
 from robots.interface.depth_camera import DepthCamera

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Array
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from robots.perception.surface import surface_points
 from robots.perception.truth_view import TrueObject, TruthView
 

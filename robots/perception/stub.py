@@ -29,7 +29,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import alike_in_all_directions

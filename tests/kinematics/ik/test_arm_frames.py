@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
-from kinematics.ik.arm_frames import arm_kinematics, elbow_frame, link_moved_by
+from kinematics.ik.arm_frames import arm_kinematics, arm_share, elbow_frame, link_moved_by
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 
@@ -53,6 +53,13 @@ def test_what_is_beside_a_configuration_is_where_moved_joints_bring_it(model, ha
         there = arm.at(moved)
         for part in ("shoulder_m", "elbow_m", "tcp_m", "world_R_tcp", "chest_m", "heading_rad"):
             assert getattr(rows, part)[row] == pytest.approx(getattr(there, part)[0], abs=1e-11), part
+
+
+def test_a_gesture_is_as_large_as_the_arm_is_long(model):
+    small = RobotModel(load_description("g1"))
+
+    assert {arm_share(model, hand) for hand in ("left", "right")} == {1.0}
+    assert 0.6 < arm_share(small, "left") < 0.7
 
 
 def test_the_chest_faces_where_the_robot_does_at_home(model):

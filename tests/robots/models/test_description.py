@@ -122,7 +122,7 @@ def written(tmp_path, monkeypatch):
     return write
 
 
-CAMERA = r"\[camera\].*?(?=\n\[)"
+CAMERA = r"\[camera\].*?(?=\n\[(?!camera))"
 
 
 def test_a_robot_without_a_camera_says_so_when_one_asks_for_it(written):

@@ -8,7 +8,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from robots.clock import ManualClock
 from robots.perception.stub import PerceptionStub
 from robots.perception.truth_view import TrueObject

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -66,10 +67,10 @@ class CarryJudge:
         return Verdict(done, numbers, "" if done else told + (", dropped" if self._dropped else ""))
 
 
-def carry_trial(rng: np.random.Generator) -> Trial:
+def carry_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """A tall cup on the table ahead, and Ana somewhere behind."""
-    table = rooms.table(rng)
-    place = rooms.spot(rng, table, [])
+    table = rooms.table(rng, where)
+    place = rooms.spot(rng, table, [], where=where)
     if place is None:
         raise RuntimeError("an empty table has room")
     cup = rooms.item(CUP, "cup", "red", Cylinder(CUP_RADIUS_M, CUP_HEIGHT_M), table, place, rng)
@@ -86,4 +87,4 @@ def carry_trial(rng: np.random.Generator) -> Trial:
     return Trial(scene, tasks, CUP)
 
 
-CARRY = SkillSuite(carry_trial, CarryJudge, stands=False)
+CARRY = SkillSuite(carry_trial, CarryJudge, stands=False, on_low=partial(carry_trial, where=rooms.LOW))

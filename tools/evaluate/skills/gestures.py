@@ -182,9 +182,9 @@ class LookJudge:
         return Verdict(off <= CENTRED, {"off_centre": min(off, 99.0)}, why)
 
 
-def wave_trial(rng: np.random.Generator) -> Trial:
+def wave_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """One to three people, perhaps a table; wave at one of them."""
-    furniture = [rooms.table(rng)] if rng.random() < TABLE_CHANCE else []
+    furniture = [rooms.table(rng, where)] if rng.random() < TABLE_CHANCE else []
     crowd = rooms.people(rng, int(rng.integers(1, 4)), furniture)
     person = _chosen(crowd, rng)
     scene = rooms.room("wave", rng, furniture, crowd=crowd)
@@ -198,9 +198,9 @@ def point_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDIN
     return Trial(scene, (PointAtTask(f"point at {aim}", **slot),), aim)  # type: ignore[arg-type]
 
 
-def look_trial(rng: np.random.Generator) -> Trial:
+def look_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """A table with things and people behind it; look at one of all."""
-    scene, aim, kind = _room_with_aim("look_at", rng, rooms.STANDING)
+    scene, aim, kind = _room_with_aim("look_at", rng, where)
     slot: dict[str, ObjectDescription | str] = {"person" if kind == "person" else "object": _meant(aim, kind)}
     return Trial(scene, (LookAtTask(f"look at {aim}", **slot),), aim)  # type: ignore[arg-type]
 
@@ -228,11 +228,11 @@ def _chosen(crowd: Sequence[Person], rng: np.random.Generator) -> Person:
     return crowd[int(rng.integers(len(crowd)))]
 
 
-WAVE = SkillSuite(wave_trial, WaveJudge)
+WAVE = SkillSuite(wave_trial, WaveJudge, on_low=partial(wave_trial, where=rooms.LOW))
 POINT_AT = SkillSuite(
     point_trial,
     PointJudge,
     on_bench=partial(point_trial, where=rooms.BENCH),
     on_low=partial(point_trial, where=rooms.LOW),
 )
-LOOK_AT = SkillSuite(look_trial, LookJudge)
+LOOK_AT = SkillSuite(look_trial, LookJudge, on_low=partial(look_trial, where=rooms.LOW))

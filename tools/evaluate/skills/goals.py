@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -45,11 +46,20 @@ _TALL_M, _HANDS_M = 1.0, 0.20
 """Hands stand out farther than all else, by so much, above so much."""
 OFF_M = 0.02
 OFF_RAD = math.radians(2.0)
-_SIZES = {
+Sizes = Mapping[str, tuple[tuple[float, float], ...]]
+"""Depths, widths and heights of pieces, by kind: the least and the most."""
+
+_SIZES: Sizes = {
     "drawers": ((0.40, 0.50), (0.50, 0.80), (0.75, 0.95)),
     "fridge": ((0.60, 0.68), (0.56, 0.64), (1.50, 1.80)),
     "table": ((0.50, 0.80), (0.80, 1.50), (0.72, 0.95)),
 }
+_LOW_SIZES: Sizes = {
+    **_SIZES,
+    "drawers": ((0.40, 0.50), (0.50, 0.80), (0.60, 0.76)),
+    "table": ((0.50, 0.80), (0.80, 1.50), (0.60, 0.76)),
+}
+"""For a humanoid of a child's size."""
 
 
 class GoalJudge:
@@ -116,17 +126,17 @@ class GoalJudge:
         return [place @ self._chosen for place in usual]
 
 
-def goal_trial(rng: np.random.Generator) -> Trial:
+def goal_trial(rng: np.random.Generator, sizes: Sizes = _SIZES) -> Trial:
     """Somewhere to go, with up to four things in the way."""
     count = int(rng.integers(0, OBSTACLES + 1))
     for _ in range(5000):
-        found = _trial(rng, count)
+        found = _trial(rng, count, sizes)
         if found is not None:
             return found
     raise RuntimeError("no room could be made")
 
 
-def _trial(rng: np.random.Generator, count: int) -> Trial | None:
+def _trial(rng: np.random.Generator, count: int, sizes: Sizes) -> Trial | None:
     x, y, yaw = (float(value) for value in rng.uniform((-1.0, -1.0, -math.pi), (1.0, 1.0, math.pi)))
     start = PlanarPose(x, y, yaw)
     bearing, far = float(rng.uniform(-BEARING_RAD, BEARING_RAD)), float(rng.uniform(*FAR_M))
@@ -144,7 +154,7 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
         at = goal @ PlanarPose(PERSON_M)
         people.append(Person(aim, (at.x_m, at.y_m), at.yaw_rad + math.pi))
     else:
-        piece = _piece("table" if kind == "thing" else kind, goal, rng)
+        piece = _piece("table" if kind == "thing" else kind, goal, rng, sizes)
         furniture.append(piece)
         if kind == "thing":
             aim = "red cup"
@@ -153,7 +163,7 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
             spot = middle @ PlanarPose(0.1 - 0.5 * piece.size_m[0], float(rng.uniform(-across, across)))
             cup = Cylinder(0.03, 0.11)
             objects.append(rooms.item(aim, "cup", "red", cup, piece, (spot.x_m, spot.y_m), rng))
-    others = [one for one in _SIZES if all(one != piece.kind for piece in furniture)]
+    others = [one for one in sizes if all(one != piece.kind for piece in furniture)]
     others += rooms.NAMES[1:]
     for one in (others[int(k)] for k in rng.permutation(len(others))[:count]):
         along, aside = float(rng.uniform(0.1, 1.2)), float(rng.normal(0.0, 0.8))
@@ -162,8 +172,8 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
             @ PlanarPose(yaw_rad=bearing)
             @ PlanarPose(along * far, aside, float(rng.uniform(-3.1, 3.1)))
         )
-        if one in _SIZES:
-            furniture.append(_piece(one, at, rng))
+        if one in sizes:
+            furniture.append(_piece(one, at, rng, sizes))
         else:
             people.append(Person(one, (at.x_m, at.y_m), at.yaw_rad))
     robot = RobotStart(start.x_m, start.y_m, start.yaw_rad)
@@ -183,9 +193,9 @@ def _trial(rng: np.random.Generator, count: int) -> Trial | None:
     return Trial(scene, (WalkToTask(f"walk to the {aim}", to),), aim)
 
 
-def _piece(kind: str, before: PlanarPose, rng: np.random.Generator) -> Furniture:
+def _piece(kind: str, before: PlanarPose, rng: np.random.Generator, sizes: Sizes) -> Furniture:
     """Furniture whose front's middle is in front of where the robot stands."""
-    depth, width, height = (float(rng.uniform(*span)) for span in _SIZES[kind])
+    depth, width, height = (float(rng.uniform(*span)) for span in sizes[kind])
     middle = before @ PlanarPose(edge_m(height) + 0.5 * depth)
     opens = None
     if kind in ARTICULATED_KINDS:
@@ -210,4 +220,4 @@ def _passable(scene: SceneDescription, start: PlanarPose, goal: PlanarPose, peop
     return plan_path(start, before, everything, WAY_M) is not None
 
 
-WALK_TO = SkillSuite(goal_trial, GoalJudge, stands=False)
+WALK_TO = SkillSuite(goal_trial, GoalJudge, stands=False, on_low=partial(goal_trial, sizes=_LOW_SIZES))

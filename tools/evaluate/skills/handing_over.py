@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -61,10 +62,10 @@ class TakingJudge:
         )
 
 
-def hand_over_trial(rng: np.random.Generator) -> Trial:
+def hand_over_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:
     """Things on a table, and one or two people behind it; one of them gets one of the things."""
-    table = rooms.table(rng)
-    objects = rooms.things(rng, table, int(rng.integers(1, 4)))
+    table = rooms.table(rng, where)
+    objects = rooms.things(rng, table, int(rng.integers(1, 4)), where=where)
     crowd = rooms.people(rng, int(rng.integers(1, 3)), [table], BEARING_RAD)
     item, person = objects[0], crowd[int(rng.integers(len(crowd)))]
     meant = ObjectDescription(item.kind, item.color)
@@ -86,4 +87,9 @@ def to_somebody_seen(trial: Trial) -> Trial:
     return replace(trial, sentence=f"give the {trial.aim} to {who}", first=trial.tasks[:-1])
 
 
-HAND_OVER = SkillSuite(hand_over_trial, TakingJudge, unnamed=to_somebody_seen)
+HAND_OVER = SkillSuite(
+    hand_over_trial,
+    TakingJudge,
+    on_low=partial(hand_over_trial, where=rooms.LOW),
+    unnamed=to_somebody_seen,
+)

@@ -9,7 +9,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.ik.gaze import in_picture
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from kinematics.scene.line_of_sight import hidden, near_line
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.sight.sight import Glimpse

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from kinematics.geometry.shapes import Box
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from kinematics.scene.line_of_sight import hidden
 from kinematics.scene.planning_scene import SceneObject
 from kinematics.scene.support_of import half_height_m

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinematics.arrays import Array, Sealed, sealed
 from kinematics.geometry.poses import Transform
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from kinematics.model.robot_model import RobotModel
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
-from kinematics.model.robot_description import CameraDescription
+from kinematics.model.camera_description import CameraDescription
 from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.sight.sight import Glimpse
 

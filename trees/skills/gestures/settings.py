@@ -11,7 +11,7 @@ class GestureSettings:
 
     Attributes:
         wave_swings: How often a waving hand goes from side to side.
-        wave_width_m: From one side to the other.
+        wave_width_m: From one side to the other, and less with a shorter arm than TALOS has.
         wave_least_m: A swing narrower than this, as measured, does not count.
         wave_least_swings: Fewer than so many is no waving.
         pointing_tolerance_m: The line through forearm and hand passes its target nearer than this.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from kinematics.geometry import poses
+from kinematics.ik.arm_frames import arm_share
 from kinematics.requests.gesture import SwingRequest
 from trees.failures import Failure
 from trees.nodes.contract import Contract
@@ -36,7 +37,7 @@ class SwingHand(PlannedMotionLeaf):
             stance=self.toolbox.motion.stance(),
             scene=self.toolbox.world.scene,
             hand=self.get_input("waving_hand"),
-            width_m=settings.wave_width_m,
+            width_m=self._share() * settings.wave_width_m,
             swings=settings.wave_swings,
         )
 
@@ -48,13 +49,16 @@ class SwingHand(PlannedMotionLeaf):
         if outcome is not DONE:
             return outcome
         settings = self.toolbox.policy.of(GestureSettings)
-        swings = swings_in(self._aside_m, settings.wave_least_m)
+        swings = swings_in(self._aside_m, self._share() * settings.wave_least_m)
         numbers = {"swings": swings, "width_m": max(self._aside_m) - min(self._aside_m)}
         self.measured(**numbers)
         if swings < settings.wave_least_swings:
             return Failure.postcondition("the hand did not swing enough", None, **numbers)
         self._set_output("evidence", {"hand": self.get_input("waving_hand"), **numbers})
         return DONE
+
+    def _share(self) -> float:
+        return arm_share(self.toolbox.model, self.get_input("waving_hand"))
 
     def _hand_aside_m(self) -> float:
         """Where the measured hand is across the camera's heading."""

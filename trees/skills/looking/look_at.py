@@ -61,7 +61,7 @@ def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
     wanted = camera.aimed(gaze.pan_rad, gaze.tilt_rad, gaze.lean_rad)
     turning = turning_joint(description)
     if turning is not None:
-        wanted[turning] = gaze.turn_rad
+        wanted[turning] = wanted.get(turning, 0.0) + gaze.turn_rad
     inside = {}
     for joint, angle in wanted.items():
         lower, upper = description.limits[joint].position

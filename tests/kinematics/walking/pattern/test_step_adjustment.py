@@ -41,7 +41,8 @@ def walk_of(model, quick=False):
     feet = {side: PlanarPose.of(model.frame_pose(model.q_home, sole.frame)) for side, sole in soles.items()}
     body = WholeBody(model, model.q_home, feet, PERIOD_S, settings.first_shift_s)
     x, y, _ = model.com(model.q_home).tolist()
-    return WalkingPattern(settings, soles, feet, (x, y), body.rest_m, 0.17, body.omega, body.sway_s2), body
+    apart_m = feet["left"].distance_m(feet["right"])
+    return WalkingPattern(settings, soles, feet, (x, y), body.rest_m, apart_m, body.omega, body.sway_s2), body
 
 
 @pytest.fixture
@@ -115,6 +116,17 @@ def test_the_plan_never_jumps_when_a_landing_moves(swing):
     for side in ("left", "right"):
         places = [(sample.feet[side].x_m, sample.feet[side].y_m) for sample in samples]
         assert np.abs(np.diff(places, n=2, axis=0)).max() < 30.0 * PERIOD_S**2
+
+
+@pytest.mark.parametrize(("robot", "moves"), [("talos", False), ("g1", True)])
+def test_what_two_wide_soles_bring_back_narrow_ones_step_after(robot, moves):
+    pattern, _ = walk_of(RobotModel(load_description(robot)))
+    pattern.steer(VelocitySteering(pattern._settings, 0.0, 0.3))
+    while pattern.steps < 3 or pattern.phase is not Phase.SWING:
+        pattern.advance(PERIOD_S)
+
+    outwards = 1.0 if pattern._standing == "right" else -1.0
+    assert pattern.catch((0.0, 0.04 * outwards)) is moves
 
 
 @pytest.mark.parametrize("error", [(0.02, 0.0), (-0.02, 0.01), (0.0, -0.02)])
