@@ -157,7 +157,7 @@ def _last_line(log: Path) -> str:
 
 
 def known_records(folder: Path) -> dict[str, MeasuredRecord]:
-    """The records of a folder by their names; empty when it is not there.
+    """The records of a folder by their names, in order; empty when it is not there.
 
     Raises:
         UserError: A file of it is no record.
@@ -165,4 +165,4 @@ def known_records(folder: Path) -> dict[str, MeasuredRecord]:
     found = {record.name: record for record in records.read_all(folder)} if folder.is_dir() else {}
     if any(file.stem not in found for file in folder.glob("*.json")):
         raise UserError(f"{folder}: a record is called otherwise than its file")
-    return found
+    return dict(sorted(found.items()))

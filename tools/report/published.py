@@ -28,6 +28,7 @@ def publish(found: Sequence[MeasuredRecord], folder: Path, readme: Path | None =
     Raises:
         UserError: matplotlib is not installed.
     """
+    found = sorted(found, key=lambda record: record.name)  # pages do not tell which run came first
     made = {folder / name: text for name, text in pages(found).items()}
     made |= {folder / PICTURES / name: text for name, text in pictures(found).items()}
     if readme is not None:

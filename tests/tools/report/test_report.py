@@ -45,6 +45,13 @@ def test_the_folder_holds_no_page_and_no_picture_beside_them():
     assert {file.name for file in (FOLDER / "pictures").iterdir()} == set(pictures(MEASURED))
 
 
+def test_pages_do_not_tell_which_run_came_first(tmp_path):
+    publish(MEASURED[::-1], tmp_path)
+
+    for name, text in pages(MEASURED).items():
+        assert (tmp_path / name).read_text("utf-8") == text, name
+
+
 def test_records_take_little_room_and_each_is_of_a_run_that_there_is():
     files = list((FOLDER / RECORDS).iterdir())
 
