@@ -7,7 +7,6 @@ import sys
 
 import pytest
 
-
 LOOK = "look at the red cup"
 """Seen with errors that the seed draws."""
 
