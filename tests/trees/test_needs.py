@@ -30,6 +30,9 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
     assert lacking(skill_called(action), stage.toolbox) is None
 
 
+UPRIGHT = "eyes that aim while it walks; g1 aims by its trunk, which has to stay upright in a walk"
+
+
 @pytest.mark.parametrize(
     ("robot", "action", "lacking_parts"),
     [
@@ -45,6 +48,7 @@ def test_a_robot_that_has_everything_lacks_nothing(stage, action):
         ("talos", "look_at", []),
         ("g1", "move", []),
         ("g1", "look_at", []),
+        ("g1", "follow", [UPRIGHT]),
         ("g1", "pick", []),
         ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
         ("g1", "place", [f"a hand that puts down; {NO_SETTING}"]),

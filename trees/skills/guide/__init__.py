@@ -40,7 +40,7 @@ SKILL = Skill(
     task=GuideTask,
     tree=_tree,
     example="guide Ana to the kitchen",
-    needs=frozenset({Need.LEGS, Need.EYES}),
+    needs=frozenset({Need.LEGS, Need.EYES, Need.NECK}),
     before=frozenset({Before.SOURCE_IN_VIEW}),
     goes_away=True,
 )
