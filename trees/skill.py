@@ -60,7 +60,7 @@ class Need(Enum):
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"
-    NECK = "eyes that aim while it walks"
+    EYES_IN_WALKS = "eyes that aim while it walks"
 
 
 def as_asked(text: str, _subject: str, _evidence: Evidence) -> str:

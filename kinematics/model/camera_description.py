@@ -59,7 +59,8 @@ class CameraDescription:
     def aimed(self, pan_rad: float, tilt_rad: float, lean_rad: float | None = None) -> dict[str, float]:
         """Positions of those joints that there are, by name, for a gaze.
 
-        A trunk that aims turns until the picture holds the way of the gaze, and no farther.
+        A trunk that aims turns until the picture holds the way of the gaze, and no farther; it does not lean
+        besides.
 
         Args:
             pan_rad: To the left.

@@ -98,5 +98,12 @@ def test_what_the_picture_holds_already_turns_no_trunk(small):
     assert set(held.values()) == {0.0}
 
 
+def test_a_trunk_is_told_how_far_down_the_camera_looks(small):
+    camera = small.description.camera
+    ahead = small.frame_pose(small.q_home, camera.frame)[:3, 2]
+
+    assert np.arcsin(-ahead[2]) == pytest.approx(camera.trunk.down_rad, abs=0.01)
+
+
 def test_what_plans_for_a_neck_leaves_a_trunk_alone(small):
     assert gaze_joints(small, small.q_home, np.array([0.5, 0.3, 0.7])) == {}

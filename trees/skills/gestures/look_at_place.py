@@ -16,6 +16,7 @@ from trees.nodes.leaf import DONE
 from trees.nodes.planned_motion_leaf import PlannedMotionLeaf, move_from_here
 from trees.nodes.ports import ports
 from trees.skills.gestures.settings import GestureSettings
+from trees.skills.looking.aiming_leaf import level_enough
 from trees.skills.looking.look_at import turning_joint
 
 
@@ -40,6 +41,8 @@ class LookAtPlace(PlannedMotionLeaf):
         gaze = body_gaze(toolbox.model, reference, place.aim_m, turning)
         if gaze is None:
             return Failure.infeasible(f"no posture looks at the {place.name} from here")
+        if level_enough(toolbox, gaze.joints) != gaze.joints:
+            return Failure.infeasible(f"to look at the {place.name} would tilt what the hand holds")
         x, y, z = (float(value) for value in pelvis_offset(reference, gaze.pelvis_m))
         return move_from_here(toolbox, gaze.joints, keep_others=True, pelvis_m=(x, y, z))
 

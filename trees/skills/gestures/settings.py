@@ -11,8 +11,8 @@ class GestureSettings:
 
     Attributes:
         wave_swings: How often a waving hand goes from side to side.
-        wave_width_m: From one side to the other, and less with a shorter arm than TALOS has.
-        wave_least_m: A swing narrower than this, as measured, does not count.
+        wave_width_m: From one side to the other; an arm that is shorter than TALOS's waves less widely.
+        wave_least_m: A swing narrower than this, as measured, does not count; less with such an arm.
         wave_least_swings: Fewer than so many is no waving.
         pointing_tolerance_m: The line through forearm and hand passes its target nearer than this.
         pointing_hold_s: How long the arm stays stretched out.

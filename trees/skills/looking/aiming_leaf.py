@@ -38,7 +38,7 @@ class AimingLeaf(PlannedMotionLeaf):
     def goal(self) -> MoveRequest | Failure | None:
         """A motion of what aims alone, unless it looks there already."""
         toolbox = self.toolbox
-        reference, joints = toolbox.motion.reference(), _level_enough(toolbox, self.joints())
+        reference, joints = toolbox.motion.reference(), level_enough(toolbox, self.joints())
         if not joints:  # eyes that nothing aims
             return None
         index = 7 + toolbox.model.indices(tuple(joints))
@@ -49,7 +49,7 @@ class AimingLeaf(PlannedMotionLeaf):
         return move_from_here(toolbox, joints, keep_others=True, pelvis_m=pelvis_m)
 
 
-def _level_enough(toolbox: Toolbox, joints: Mapping[str, float]) -> Mapping[str, float]:
+def level_enough(toolbox: Toolbox, joints: Mapping[str, float]) -> Mapping[str, float]:
     """The same, where a trunk that aims bends no farther than what a hand holds may tilt."""
     trunk = toolbox.model.description.camera.trunk
     if trunk is None or trunk.bow_joint not in joints or not toolbox.world.scene.attached:

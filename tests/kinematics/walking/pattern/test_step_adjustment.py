@@ -120,12 +120,13 @@ def test_the_plan_never_jumps_when_a_landing_moves(swing):
 
 @pytest.mark.parametrize(("robot", "moves"), [("talos", False), ("g1", True)])
 def test_what_two_wide_soles_bring_back_narrow_ones_step_after(robot, moves):
-    pattern, _ = walk_of(RobotModel(load_description(robot)))
-    pattern.steer(VelocitySteering(pattern._settings, 0.0, 0.3))
+    model = RobotModel(load_description(robot))
+    pattern, _ = walk_of(model)
+    pattern.steer(VelocitySteering(model.description.walking, 0.0, 0.3))
     while pattern.steps < 3 or pattern.phase is not Phase.SWING:
-        pattern.advance(PERIOD_S)
+        sample = pattern.advance(PERIOD_S)
 
-    outwards = 1.0 if pattern._standing == "right" else -1.0
+    outwards = 1.0 if sample.carrying == ("right",) else -1.0
     assert pattern.catch((0.0, 0.04 * outwards)) is moves
 
 
