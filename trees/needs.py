@@ -26,6 +26,8 @@ def why_lacking(need: Need, robot: RobotDescription) -> str | None:
             return next((hand.cannot_grip_bars for hand in robot.grippers.values()), None)
         case Need.PUTS if all(hand.cannot_put_down for hand in robot.grippers.values()):
             return next((hand.cannot_put_down for hand in robot.grippers.values()), None)
+        case Need.TIPS if robot.grippers and all(hand.motors for hand in robot.grippers.values()):
+            return f"the fingers of {robot.name} close on a palm"
         case Need.ARM if not robot.tcp_frames:
             return f"{robot.name} has none"
         case Need.LEGS if robot.welded:

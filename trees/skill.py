@@ -57,6 +57,7 @@ class Need(Enum):
     HAND = "a hand that grips"
     BARS = "a hand that grips handles"
     PUTS = "a hand that puts down"
+    TIPS = "a hand that presses with closed fingertips"
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"

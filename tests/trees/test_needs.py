@@ -48,6 +48,8 @@ UPRIGHT = "eyes that aim while it walks; g1 aims by its trunk, which has to stay
         ("talos", "look_at", []),
         ("g1", "move", []),
         ("g1", "look_at", []),
+        ("g1", "press", ["a hand that presses with closed fingertips; the fingers of g1 close on a palm"]),
+        ("talos", "press", []),
         ("g1", "follow", [UPRIGHT]),
         ("g1", "pick", []),
         ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
