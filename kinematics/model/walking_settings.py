@@ -45,7 +45,6 @@ class WalkingSettings:
             may land to catch the body after a push.
         stride_reach_m: How far along the floor a sole may be from below the CoM, at the height at which the
             robot walks.
-        brought_back_m: So far beside where a landing needs it the DCM may end: two soles bring it back.
         front_m, back_m, half_width_m: Room that the robot takes ahead of its base, behind it, and to
             each side.
         hands_from_m, hands_half_width_m: Height over the floor from which up the hands are, and the room that
@@ -91,7 +90,6 @@ class WalkingSettings:
     dcm_gain: float
     zmp_inset_m: float
     tucked: TuckedArms | None = None
-    brought_back_m: float = 0.05
 
     @property
     def step_s(self) -> float:

@@ -29,6 +29,9 @@ correct errors. With 0.01 a quick stop from 0.45 m/s backwards rocked the robot 
 
 _CATCH_S = 0.2
 """A foot that lands sooner than this goes where it was going, whatever pushes."""
+_CAUGHT_M = 0.05
+"""So far beside where it is wanted the DCM may end: two soles bring it back. A landing that moved
+by all of it came too wide after a push from aside, and threw the robot to the other side with each step."""
 _WORTH_M = 0.015
 """Landings move by no less."""
 _CATCH_SHARES = (1.0, 0.75, 0.5, 0.25)
@@ -130,11 +133,10 @@ class LandingMover:
             route.dcm_at_landing(step.feet, step.steps),
             self._omega,
         )
-        far_m, held_m = math.hypot(x, y), self._settings.brought_back_m
-        if far_m < held_m:
+        far_m = math.hypot(x, y)
+        if far_m < _CAUGHT_M:
             return None
-        # by all of it a landing came too wide after a push from aside, and threw the robot to the other side
-        most = min(far_m - held_m, farthest_m(left_s, _CATCH_M_S2)) / far_m
+        most = min(far_m - _CAUGHT_M, farthest_m(left_s, _CATCH_M_S2)) / far_m
         for k in _CATCH_SHARES:
             moved = self._elsewhere(step, (most * k * x, most * k * y), steering, odom_T_plan)
             if moved is not None:

@@ -17,6 +17,10 @@ from trees.tasks import MoveTask
 
 COMMANDS = ((0.3, 0.0), (-0.3, 0.0), (0.0, 0.5), (0.0, -0.5), (0.5, 0.0))
 """Metres and radians a second that the demands name."""
+LOW_COMMANDS = ((0.3, 0.0), (-0.3, 0.0), (0.0, 0.4), (0.0, -0.4))
+"""The same of a humanoid of a child's size."""
+FASTEST, LOW_FASTEST = 0.5, 0.4
+"""The most of both that any walk is asked for."""
 DURATION_S = 20.0
 MEASURED_FROM_S = 3.0
 OFF_SHARE = 0.05
@@ -145,19 +149,21 @@ class StopJudge:
         return Verdict(done, numbers, why)
 
 
-def walk_trial(rng: np.random.Generator) -> Trial:
+def walk_trial(rng: np.random.Generator, commands: Sequence[tuple[float, float]] = COMMANDS) -> Trial:
     """One of the velocities that the demands name."""
-    linear, angular = COMMANDS[int(rng.integers(len(COMMANDS)))]
+    linear, angular = commands[int(rng.integers(len(commands)))]
     task = MoveTask(f"move at {linear} m/s, {angular} rad/s", linear, angular, DURATION_S)
     return Trial(floor("walk", rng), (task,))
 
 
-def stop_trial(rng: np.random.Generator) -> Trial:
+def stop_trial(rng: np.random.Generator, fastest: float = FASTEST) -> Trial:
     """Any velocity within the limits."""
-    linear = round(float(rng.uniform(-0.5, 0.5)), 2)
-    angular = round(float(rng.uniform(-0.5, 0.5)), 2)
+    linear = round(float(rng.uniform(-fastest, fastest)), 2)
+    angular = round(float(rng.uniform(-fastest, fastest)), 2)
     return Trial(floor("walk_stop", rng), (MoveTask("move", linear, angular, 30.0),))
 
 
-WALK = SkillSuite(walk_trial, PaceJudge, stands=False)
-WALK_STOP = SkillSuite(stop_trial, StopJudge, stands=False, ends="cancelled")
+WALK = SkillSuite(walk_trial, PaceJudge, stands=False, on_low=lambda rng: walk_trial(rng, LOW_COMMANDS))
+WALK_STOP = SkillSuite(
+    stop_trial, StopJudge, stands=False, ends="cancelled", on_low=lambda rng: stop_trial(rng, LOW_FASTEST)
+)
