@@ -19,8 +19,10 @@ COMMANDS = ((0.3, 0.0), (-0.3, 0.0), (0.0, 0.5), (0.0, -0.5), (0.5, 0.0))
 """Metres and radians a second that the demands name."""
 LOW_COMMANDS = ((0.3, 0.0), (-0.3, 0.0), (0.0, 0.4), (0.0, -0.4))
 """The same of a humanoid of a child's size."""
-FASTEST, LOW_FASTEST = 0.5, 0.4
-"""The most of both that any walk is asked for."""
+PACES = ((-0.5, 0.5), (-0.5, 0.5))
+"""Between which metres and radians a second a walk goes that is stopped."""
+LOW_PACES = ((-0.3, 0.4), (-0.4, 0.4))
+"""The same of a humanoid of a child's size."""
 DURATION_S = 20.0
 MEASURED_FROM_S = 3.0
 OFF_SHARE = 0.05
@@ -156,14 +158,13 @@ def walk_trial(rng: np.random.Generator, commands: Sequence[tuple[float, float]]
     return Trial(floor("walk", rng), (task,))
 
 
-def stop_trial(rng: np.random.Generator, fastest: float = FASTEST) -> Trial:
+def stop_trial(rng: np.random.Generator, paces: Sequence[tuple[float, float]] = PACES) -> Trial:
     """Any velocity within the limits."""
-    linear = round(float(rng.uniform(-fastest, fastest)), 2)
-    angular = round(float(rng.uniform(-fastest, fastest)), 2)
+    linear, angular = (round(float(rng.uniform(*pace)), 2) for pace in paces)
     return Trial(floor("walk_stop", rng), (MoveTask("move", linear, angular, 30.0),))
 
 
 WALK = SkillSuite(walk_trial, PaceJudge, stands=False, on_low=lambda rng: walk_trial(rng, LOW_COMMANDS))
 WALK_STOP = SkillSuite(
-    stop_trial, StopJudge, stands=False, ends="cancelled", on_low=lambda rng: stop_trial(rng, LOW_FASTEST)
+    stop_trial, StopJudge, stands=False, ends="cancelled", on_low=lambda rng: stop_trial(rng, LOW_PACES)
 )
