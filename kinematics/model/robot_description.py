@@ -54,6 +54,22 @@ class HandMotor:
     closed_rad: float
 
 
+def _looked_up(table: tuple[tuple[float, float], ...], at: float) -> float:
+    """Linearly between the pairs of a table, beyond it as at its nearer end; 0 of none."""
+    if not table:
+        return 0.0
+    low, high = table[0], table[-1]
+    for row in table:
+        if row[0] >= at:
+            high = row
+            break
+        low = row
+    if low[0] >= at or high[0] <= low[0]:
+        return low[1]
+    share = min(1.0, (at - low[0]) / (high[0] - low[0]))
+    return low[1] + share * (high[1] - low[1])
+
+
 @dataclass(frozen=True, slots=True)
 class GripperDescription:
     """One gripper.
@@ -95,11 +111,15 @@ class GripperDescription:
         beside_palm_m: What a thing is away from that palm when the fingers begin to close.
         held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
             in width; empty of all others.
+        push_table: The same of how far along the fingers a thing goes when they open, m; empty of fingers
+            that leave it where it stands.
+        felt_n: Lift of the hand that says that what it holds stands on something: more than its arm's motors
+            show while nothing is there.
         side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
-        cannot_put_down: Why it does not put down what it holds where it is told to; empty when it does.
+        cannot_put_in: Why it puts nothing into what has a rim; empty when it does.
     """
 
     hand: Hand
@@ -130,10 +150,12 @@ class GripperDescription:
     palm_side_m: float | None = None
     beside_palm_m: float = 0.0
     held_table: tuple[tuple[float, float], ...] = ()
+    push_table: tuple[tuple[float, float], ...] = ()
+    felt_n: float = 6.0
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     cannot_grip_bars: str = ""
-    cannot_put_down: str = ""
+    cannot_put_in: str = ""
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -175,18 +197,11 @@ class GripperDescription:
 
     def held_at_m(self, width_m: float) -> float:
         """The same once they have closed; beyond the table as at its nearer end."""
-        if not self.held_table:
-            return 0.0
-        low, high = self.held_table[0], self.held_table[-1]
-        for row in self.held_table:
-            if row[0] >= width_m:
-                high = row
-                break
-            low = row
-        if low[0] >= width_m or high[0] <= low[0]:
-            return low[1]
-        share = min(1.0, (width_m - low[0]) / (high[0] - low[0]))
-        return low[1] + share * (high[1] - low[1])
+        return _looked_up(self.held_table, width_m)
+
+    def pushed_out_m(self, width_m: float) -> float:
+        """How far along the fingers a thing goes when they open; beyond the table as at its nearer end."""
+        return _looked_up(self.push_table, width_m)
 
     @property
     def max_opening_m(self) -> float:

@@ -28,6 +28,7 @@ from kinematics.scene.planning_scene import SceneObject
 YAWS_RAD = tuple(math.radians(a) for a in (0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75, 90, -90, 110, 130))
 TILTS_RAD = tuple(math.radians(a) for a in (0, 20, 40, 60, 75, 90))
 _STEEPEST_RAD = math.radians(70)
+_NATURAL_TILT_RAD = math.radians(20)
 _ROUNDING_RAD = 1e-6
 # Left between pads and object on each side, so that a perception error of this size still fits.
 OPENING_RESERVE_M = 0.006
@@ -158,7 +159,7 @@ def grasp_table(
         placed = _round_places(rotations, [_round_spot(item, gripper, *kind, widest) for kind in kinds])
     else:
         placed = _box_places(item, gripper, rotations, kinds, widest)
-    names, costs = _names(outward, kinds)
+    names, costs = _names(outward, kinds, _NATURAL_TILT_RAD if gripper.palm_side_m is None else 0.0)
     cost = np.array(costs)[placed.yaw, placed.kind] + placed.cost + extra_cost
     order = np.argsort(cost, kind="stable")
     suffix = [placed.suffix[row] for row in order]
@@ -174,7 +175,7 @@ def grasp_table(
 
 @functools.lru_cache(maxsize=16)
 def _names(
-    outward: float, kinds: tuple[tuple[float, float], ...]
+    outward: float, kinds: tuple[tuple[float, float], ...], natural_tilt_rad: float
 ) -> tuple[tuple[tuple[str, ...], ...], tuple[tuple[float, ...], ...]]:
     """Labels and costs by yaw and kind, before what a placement adds to them."""
     names = tuple(
@@ -186,7 +187,7 @@ def _names(
         for yaw in YAWS_RAD
     )
     costs = tuple(
-        tuple(abs(yaw - math.radians(10)) + 0.6 * abs(tilt - math.radians(20)) for tilt, _ in kinds)
+        tuple(abs(yaw - math.radians(10)) + 0.6 * abs(tilt - natural_tilt_rad) for tilt, _ in kinds)
         for yaw in YAWS_RAD
     )
     return names, costs

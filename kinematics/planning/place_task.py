@@ -16,6 +16,7 @@ from kinematics.ik.arm_frames import link_moved_by
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import DEFAULT_TOLERANCE, IkResult
 from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
+from kinematics.model.palm_grip import released
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
@@ -100,7 +101,9 @@ class PlaceTask(PlanningTask):
             self._seeds += [request.q_start, *(self._random_posture() for _ in range(other_seeds))]
         self._hand_alone = hand_judge(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
         self._touching: dict[tuple[str, ...], tuple[PlanningScene, PathPlanner]] = {}
-        self._object_T_tcp = poses.inverse(self._body.frame_T_object)
+        gripper, tcp_T_object = model.description.grippers[self.hand], self._body.frame_T_object
+        # at the spot is where it stands when the fingers have opened
+        self._object_T_tcp = poses.inverse(released(gripper, self._body.body.shape, tcp_T_object))
 
     def turned(self, spot: Spot) -> Iterator[Transform]:
         """The spot's pose with several turns about the vertical, the hand's natural heading first."""

@@ -380,10 +380,12 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         palm_side_m=None if table.palm_side_m is None else mirror * table.palm_side_m,
         beside_palm_m=table.beside_palm_m,
         held_table=tuple((width, mirror * at) for width, at in table.held_table),
+        push_table=tuple(table.push_table),
+        felt_n=table.felt_n,
         side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
         cannot_grip_bars=table.cannot_grip_bars,
-        cannot_put_down=table.cannot_put_down,
+        cannot_put_in=table.cannot_put_in,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )
 

@@ -186,10 +186,12 @@ class GripperTable(StrictTable):
     palm_side_m: FiniteFloat | None = None
     beside_palm_m: FiniteFloat = 0.0
     held_table: list[Pair] = Field(default_factory=list)
+    push_table: list[Pair] = Field(default_factory=list)
+    felt_n: FiniteFloat = 6.0
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     cannot_grip_bars: str = ""
-    cannot_put_down: str = ""
+    cannot_put_in: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4
     arrived_rad: FiniteFloat = 0.03

@@ -2,13 +2,13 @@
 
 import pytest
 
-from tools.evaluate.episode import run_episode
 from tools.evaluate.orders import EpisodeOrder
+from tools.evaluate.skills.episode import run_skill_episode
 
 
 @pytest.mark.requirement("U8")
-def test_what_suits_its_hands_is_picked_and_truly_held():
-    record = run_episode(EpisodeOrder(1, robot="g1", scene="low_tabletop"))
+def test_what_suits_its_hands_is_picked_and_truly_put_down():
+    record = run_skill_episode("place", EpisodeOrder(9119, robot="g1", scene="low_tabletop"))
 
     assert record.claimed, record.failure
     assert record.truth

@@ -1,4 +1,5 @@
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -137,6 +138,16 @@ def test_how_far_fingertips_reach_below_what_they_grasp_from_above_is_the_grippe
 @pytest.fixture(scope="module")
 def palms():
     return load_description("g1").grippers
+
+
+@pytest.mark.parametrize(("robot", "tilt_rad"), [("g1", 0.0), ("talos", math.radians(20.0))])
+def test_a_hand_comes_first_as_suits_it_and_level_where_closing_would_turn_the_thing(robot, tilt_rad):
+    gripper = load_description(robot).grippers["right"]
+    item = SceneObject("bottle", Cylinder(0.03, 0.2), poses.translation(0.4, -0.1, 0.8))
+
+    first = grasp_candidates(item, gripper, 0.0, 0.1)[0].grasp
+
+    assert math.asin(-first.world_T_tcp[2, 0]) == pytest.approx(tilt_rad)
 
 
 @pytest.mark.parametrize("hand", ["left", "right"])

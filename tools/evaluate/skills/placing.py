@@ -137,7 +137,7 @@ def place_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDIN
     meant = _meant(item)
     kind = None
     if len(objects) > 1 and rng.random() < _BESIDE_CHANCE:
-        kind = _with_room(int(rng.integers(len(RELATIONS))), objects, table)
+        kind = _with_room(int(rng.integers(len(RELATIONS))), objects, table, where.farthest_m)
     if kind is not None:
         to = ObjectDescription(relation=Relation(kind, _meant(objects[1])))
         words = f"{kind.replace('_', ' ')} the {objects[1].name}"
@@ -150,11 +150,13 @@ def place_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDIN
     return Trial(rooms.room("place", rng, [table], objects), tasks, item.name)
 
 
-def _with_room(drawn: int, objects: Sequence[SceneItem], table: Furniture) -> RelationKind | None:
+def _with_room(
+    drawn: int, objects: Sequence[SceneItem], table: Furniture, farthest_m: float
+) -> RelationKind | None:
     """The relation that was drawn, or else the next in turn for which there is room; None without any."""
     for kind in RELATIONS[drawn:] + RELATIONS[:drawn]:
         headings = [_AHEAD[kind]] if kind in _AHEAD else list(_AHEAD.values())
-        if has_room(objects[0], objects[1], objects, table, headings, DIRECTION_RAD, BESIDE_M):
+        if has_room(objects[0], objects[1], objects, table, headings, DIRECTION_RAD, BESIDE_M, farthest_m):
             return kind
     return None
 

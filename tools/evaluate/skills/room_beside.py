@@ -27,6 +27,7 @@ def has_room(
     headings_rad: Sequence[float],
     off_rad: float,
     within_m: float,
+    farthest_m: float = math.inf,
 ) -> bool:
     """Tell whether the foot of a thing has room on a piece of furniture, in some direction from another one.
 
@@ -38,6 +39,7 @@ def has_room(
         headings_rad: Directions from ``other``, in the world.
         off_rad: So far off these counts as well.
         within_m: Of the middle of ``other``.
+        farthest_m: From the world's origin.
     """
     radius = footprint_radius_m(item.shape)
     middle = other.world_T_object[:2, 3]
@@ -51,7 +53,8 @@ def has_room(
             for far in np.arange(nearest, within_m, _STEP_M):
                 place = middle + far * way
                 on_it = bool(np.all(np.abs(place - np.array(carrier.position_m)) <= half))
-                if on_it and all(_apart(place, radius, one) for one in around):
+                near = math.hypot(*place) <= farthest_m
+                if on_it and near and all(_apart(place, radius, one) for one in around):
                     return True
     return False
 

@@ -51,6 +51,8 @@ class Workspace:
         box_m: Of boxes, the smallest and the largest.
         container_ahead_m, container_aside_m: Of containers, from the edge, and from the middle.
         cup_height_m: Of cups that are to be picked up.
+        least_height_m: Of round things.
+        kinds: Of things that its hands take.
         most_people: Who stand about at once; none where the eyes look down at a bench.
     """
 
@@ -68,6 +70,8 @@ class Workspace:
     container_aside_m: float
     most_people: int
     cup_height_m: Range = (0.08, 0.16)
+    least_height_m: float = 0.0
+    kinds: Sequence[str] = KINDS
 
 
 STANDING = Workspace(
@@ -112,11 +116,13 @@ LOW = Workspace(
     aside_m=0.30,
     farthest_m=0.45,
     radius_m=(0.02, 0.038),
-    box_m=((0.04, 0.04, 0.10), (0.06, 0.07, 0.16)),
+    box_m=((0.04, 0.04, 0.12), (0.06, 0.07, 0.16)),
     container_ahead_m=(0.16, 0.26),
     container_aside_m=0.25,
     most_people=0,
     cup_height_m=(0.10, 0.17),
+    least_height_m=0.12,
+    kinds=("cup", "bottle", "can"),
 )
 """Before a humanoid of a child's size, whose eyes look down (the scene named low_tabletop)."""
 
@@ -140,7 +146,8 @@ def shape_of(kind: str, rng: np.random.Generator, where: Workspace = STANDING) -
         x, y, z = (float(value) for value in rng.uniform(*where.box_m))
         return Box((x, y, z))
     low, high = {"bottle": (0.15, 0.20), "can": (0.10, 0.13), "cup": (0.08, 0.14)}[kind]
-    return Cylinder(float(rng.uniform(*where.radius_m)), float(rng.uniform(low, high)))
+    height_m = max(where.least_height_m, float(rng.uniform(low, high)))
+    return Cylinder(float(rng.uniform(*where.radius_m)), height_m)
 
 
 def item(
@@ -183,12 +190,12 @@ def things(
     rng: np.random.Generator,
     carrier: Furniture,
     count: int,
-    kinds: Sequence[str] = KINDS,
+    kinds: Sequence[str] | None = None,
     where: Workspace = STANDING,
 ) -> list[SceneItem]:
     """Up to so many things on a table, each with a colour and kind of its own."""
     found: list[SceneItem] = []
-    looks = [(kind, color) for kind in kinds for color in COLORS]
+    looks = [(kind, color) for kind in kinds or where.kinds for color in COLORS]
     order = rng.permutation(len(looks))[:count]
     for kind, color in (looks[i] for i in order):
         place = spot(rng, carrier, found, where=where)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
+from kinematics.model.palm_grip import released
 from robots.control.motion_handle import MotionHandle
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -66,7 +67,9 @@ class LetGo(MotionLeaf):
         world, model = self.toolbox.world, self.toolbox.model
         if held.name in world.scene.attached:
             tcp = model.frame_pose(self.toolbox.sensing.state().q, gripper.tcp_frame)
-            world.update(world.scene.with_detached(held.name, tcp @ held.tcp_T_object))
+            world.update(
+                world.scene.with_detached(held.name, tcp @ released(gripper, held.shape, held.tcp_T_object))
+            )
             world.note_put_down(held.name)
         self.feedback_message = f"{opening_m * 1000:.0f} mm open"
         return DONE

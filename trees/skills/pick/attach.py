@@ -7,6 +7,7 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from kinematics.geometry import poses
+from kinematics.model.palm_grip import held
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.support_of import support_of
 from trees.failures import Failure
@@ -41,6 +42,7 @@ class Attach(Leaf):
         tcp_T_object = poses.inverse(world_T_tcp) @ target.odom_T_object
         # the closing fingers have centred along the opening what is between them
         tcp_T_object[1, 3] = grasp.off_centre_m
+        tcp_T_object = held(gripper, tcp_T_object)
         world = self.toolbox.world
         before = world.scene.objects[target.name]
         support = support_of(before, world.scene, self.toolbox.policy.support_gap_m)

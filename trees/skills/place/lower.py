@@ -8,6 +8,7 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from kinematics.geometry import poses
+from kinematics.model.robot_description import Hand
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene
@@ -51,7 +52,9 @@ class Lower(MotionLeaf):
     def begin(self) -> None:
         """Feel the hand anew."""
         super().begin()
-        self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
+        hand: Hand = self.get_input("held").hand
+        self._watch = TouchWatch(self.toolbox, hand)
+        self._felt_n = self.toolbox.model.description.grippers[hand].felt_n
         self._placement: Placement = self.get_input("placement")
         self._strong = 0
         self._touched_s: float | None = None
@@ -81,7 +84,7 @@ class Lower(MotionLeaf):
             return ended
         trajectory = None if self._handle.finished else self.get_input("checked").checked.trajectory
         lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
-        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.of(PlaceSettings).touch_n else 0
+        self._strong = self._strong + 1 if lift_n >= self._felt_n else 0
         self.feedback_message = f"{self._handle.progress:.0%}, {lift_n:.1f} N"
         if self._strong >= _READINGS:
             self.measured(lift_n=lift_n)
@@ -145,7 +148,9 @@ class LowerFurther(PlannedMotionLeaf):
     def begin(self) -> None:
         """Feel the hand anew."""
         super().begin()
-        self._watch = TouchWatch(self.toolbox, self.get_input("held").hand)
+        hand: Hand = self.get_input("held").hand
+        self._watch = TouchWatch(self.toolbox, hand)
+        self._felt_n = self.toolbox.model.description.grippers[hand].felt_n
         self._strong = 0
         self._touched_s: float | None = None
         self._touched_m = 0.0
@@ -186,7 +191,7 @@ class LowerFurther(PlannedMotionLeaf):
             raise RuntimeError(f"{self.name} moves without a checked trajectory")
         trajectory = None if self._handle.finished else self._checked.trajectory
         lift_n = float(self._watch.feel(trajectory, self._handle.progress)[2])
-        self._strong = self._strong + 1 if lift_n >= self.toolbox.policy.of(PlaceSettings).touch_n else 0
+        self._strong = self._strong + 1 if lift_n >= self._felt_n else 0
         if self._strong >= _READINGS:
             self._touched_s = self.elapsed_s
             self._touched_m = foot_m(self.toolbox, self.get_input("held"))

@@ -10,7 +10,6 @@ class PlaceSettings:
     """Numbers of putting down.
 
     Attributes:
-        touch_n: Lift of the hand that says that what it holds stands on something.
         rest_s: The hand is felt at rest for so long before it is lowered.
         early_touch_m: A touch so far above where it should come is one with something else.
         further_m: How much farther down each further step goes when nothing was touched.
@@ -19,7 +18,6 @@ class PlaceSettings:
         placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
     """
 
-    touch_n: float = 6.0
     rest_s: float = 0.3
     early_touch_m: float = 0.025
     further_m: float = 0.008
