@@ -10,6 +10,7 @@ from kinematics.collision.collision_world import CollisionWorld
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.ik.reach_ik import ReachIk
+from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
 from kinematics.planning import place_planner, place_task
 from kinematics.planning.place_planner import PlacePlanner
@@ -52,6 +53,20 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
         verdict = checker.check(step.trajectory, step.scene, step.concessions)
         assert isinstance(verdict, CheckedTrajectory), verdict
     assert isinstance(checker.check(answer.lower.trajectory, answer.lower.scene), Unsafe)
+
+
+@pytest.mark.requirement("M3")
+def test_what_fingers_push_as_they_open_is_let_go_of_so_far_before_its_spot(talos, stance, make):
+    usual = talos.description.grippers
+    pushing = {hand: dataclasses.replace(one, push_table=((0.05, 0.02),)) for hand, one in usual.items()}
+    model = RobotModel(dataclasses.replace(talos.description, grippers=pushing))
+
+    answer = PlacePlanner(model).plan(request(model, stance, make, 0.85, (0.42, -0.34)))
+
+    assert isinstance(answer, PlacePlan)
+    hand = model.frame_pose(answer.lower.trajectory.q[-1], model.description.tcp_frames["right"])
+    let_go_at, ahead = (hand @ TCP_T_BOX)[:2, 3], hand[:2, 0]
+    assert let_go_at + 0.02 * ahead == pytest.approx((0.42, -0.34), abs=2e-3)
 
 
 @pytest.mark.requirement("M3")

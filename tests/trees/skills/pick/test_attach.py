@@ -1,7 +1,26 @@
+import dataclasses
+
 import numpy as np
+import pytest
 from py_trees.common import Status
 
+from kinematics.geometry import poses
 from trees.skills.pick.attach import Attach
+
+
+class OnPalm:
+    """A model whose fingers close on a palm."""
+
+    def __init__(self, model):
+        self._model = model
+        grippers = {
+            hand: dataclasses.replace(gripper, palm_side_m=0.03)
+            for hand, gripper in model.description.grippers.items()
+        }
+        self.description = dataclasses.replace(model.description, grippers=grippers)
+
+    def __getattr__(self, name):
+        return getattr(self._model, name)
 
 
 def test_the_object_moves_from_the_world_into_the_hand(knowing, planned, target):
@@ -29,3 +48,16 @@ def test_the_lift_is_to_be_checked_with_the_object_in_the_hand(knowing, planned,
     assert lift.world_version == knowing.told.scene.version
     assert "gripper_right_fingertip_1_link" in lift.scene.attached["red cup"].touch_links
     assert lift.concessions == planned.step("lift").concessions
+
+
+@pytest.mark.requirement("U4")
+def test_what_stood_aslant_in_fingers_that_close_on_a_palm_is_believed_along_them(knowing, planned, target):
+    planned.grip()
+    leaning = target.odom_T_object @ poses.transform(poses.rotation_x(0.3), np.zeros(3))
+    aslant = dataclasses.replace(target, odom_T_object=leaning)
+    toolbox = dataclasses.replace(knowing.toolbox, model=OnPalm(knowing.toolbox.model))
+
+    knowing.run(Attach("attach", toolbox), grasp=planned.grasp, target=aslant, lift=planned.step("lift"))
+
+    held = knowing.told.scene.attached["red cup"].frame_T_object
+    np.testing.assert_allclose(held[:3, 2], [0.0, 0.0, 1.0], atol=1e-9)
