@@ -102,7 +102,7 @@ class PlaceTask(PlanningTask):
         self._hand_alone = hand_judge(model, self.hand, request.scene, request.held, LEAST_RESERVE_M)
         self._touching: dict[tuple[str, ...], tuple[PlanningScene, PathPlanner]] = {}
         gripper, tcp_T_object = model.description.grippers[self.hand], self._body.frame_T_object
-        # at the spot is where it stands when the fingers have opened
+        # a spot is where the thing stands once the fingers have opened
         self._object_T_tcp = poses.inverse(released(gripper, self._body.body.shape, tcp_T_object))
 
     def turned(self, spot: Spot) -> Iterator[Transform]:
