@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -18,6 +17,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, beside_ray_m
 from kinematics.ik.arm_posture import arm_posture
+from kinematics.ik.held_upright import UP, HeldInHand, unlike
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
@@ -75,7 +75,6 @@ POINT_WAYS = ((0.0, 1), (0.12, 2), (0.24, 2), (0.0, STARTS))
 POINT_SPREAD_RAD = 1.2
 # A posture that turns the trunk less than this past its target is facing it.
 FACING_RAD = 0.2
-_UP = np.array([0.0, 0.0, 1.0])
 
 
 class GesturePlanner:
@@ -121,7 +120,7 @@ class GesturePlanner:
             return np.column_stack(
                 [
                     at.tcp_m - place,
-                    0.3 * _unlike(at.world_R_tcp[:, :, 0], _UP),
+                    0.3 * unlike(at.world_R_tcp[:, :, 0], UP),
                     0.5 * at.turned_past_rad(target),
                 ]
             )
@@ -142,7 +141,7 @@ class GesturePlanner:
             place = start.tcp_m[0] + side * across
 
             def residual(at: ArmFrames, place: Array = place) -> Array:
-                return np.hstack([at.tcp_m - place, 0.05 * _unlike(at.world_R_tcp[:, :, 0], _UP)])
+                return np.hstack([at.tcp_m - place, 0.05 * unlike(at.world_R_tcp[:, :, 0], UP)])
 
             found = arm_posture(self._model, arm, q, residual, q[arm.columns])
             if float(np.linalg.norm(arm.at(found.q).tcp_m[0] - place)) > ENOUGH:
@@ -165,11 +164,11 @@ class GesturePlanner:
                 towards = target - at.shoulder_m
                 far = np.linalg.norm(towards, axis=1)
                 reach = np.maximum(np.minimum(STRETCHED * at.length_m(), far - POINT_ROOM_M), 0.2)
-                way = (reach / far)[:, None] * towards + above_m * _UP
+                way = (reach / far)[:, None] * towards + above_m * UP
                 return np.hstack(
                     [
-                        _unlike(at.tcp_m - at.elbow_m, target - at.elbow_m),
-                        0.5 * _unlike(at.world_R_tcp[:, :, 0], target - at.tcp_m),
+                        unlike(at.tcp_m - at.elbow_m, target - at.elbow_m),
+                        0.5 * unlike(at.world_R_tcp[:, :, 0], target - at.tcp_m),
                         0.15 * (at.tcp_m - at.shoulder_m - way),
                     ]
                 )
@@ -188,7 +187,7 @@ class GesturePlanner:
         frames = self._model.description.tcp_frames
         hand = next(hand for hand, frame in frames.items() if frame == body.frame)
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
-        held, person = _HeldInHand(body.frame_T_object), np.array(request.person_m)
+        held, person = HeldInHand(body.frame_T_object), np.array(request.person_m)
         ahead, inwards, down = (task.share * measure for measure in OFFER_M)
 
         def across(at: ArmFrames, item_m: Array) -> Array:
@@ -205,7 +204,7 @@ class GesturePlanner:
         def residual(at: ArmFrames, place_weight: float, finger_weight: float) -> Array:
             far = np.hypot(*(person - at.shoulder_m)[:, :2].T)
             turn = poses.rotations_z(at.bearing_rad(person))
-            aside, below = -task.outwards * inwards * turn[:, :, 1], down * _UP
+            aside, below = -task.outwards * inwards * turn[:, :, 1], down * UP
             place = (
                 at.shoulder_m + np.minimum(ahead, far - OFFER_ROOM_M)[:, None] * turn[:, :, 0] + aside - below
             )
@@ -213,8 +212,8 @@ class GesturePlanner:
             return np.column_stack(
                 [
                     place_weight * (item_m - place),
-                    0.5 * _unlike(held.upwards(at), _UP),
-                    0.03 * _unlike(at.world_R_tcp[:, :, 0], turn[:, :, 0]),
+                    0.5 * unlike(held.upwards(at), UP),
+                    0.03 * unlike(at.world_R_tcp[:, :, 0], turn[:, :, 0]),
                     finger_weight * across(at, item_m),
                 ]
             )
@@ -233,7 +232,8 @@ class GesturePlanner:
             (1.0, 0.0, upright, "upright", STARTS),
         ):
             weighed = partial(residual, place_weight=place_weight, finger_weight=finger_weight)
-            answer = task.reach("offer", Wish(weighed, person, good, goodness, 0.12, starts))
+            wish = Wish(weighed, person, good, goodness, 0.12, starts, leans_rad=held.leans_rad)
+            answer = task.reach("offer", wish)
             if isinstance(answer, MovePlan):
                 break
         return answer
@@ -245,7 +245,7 @@ class GesturePlanner:
         task = self._make_task(self._model, request.q_start, request, hand, request.seed)
         home = StandingRobot.of(self._model, request.stance).q_home
         facing = poses.rotation_z(poses.yaw_of(poses.rotation_from_quaternion(home[3:7])))
-        held = _HeldInHand(body.frame_T_object)
+        held = HeldInHand(body.frame_T_object)
         ahead, inwards, down = (task.share * measure for measure in CARRY_M)
         watched = home[:3] + facing @ CARRY_LOOK_M
         watched[2] = CARRY_LOOK_M[2]
@@ -255,8 +255,8 @@ class GesturePlanner:
             return np.column_stack(
                 [
                     0.2 * (held.places_m(at) - place),
-                    _unlike(held.upwards(at), _UP),
-                    0.02 * _unlike(at.world_R_tcp[:, :, 0], facing[:, 0]),
+                    unlike(held.upwards(at), UP),
+                    0.02 * unlike(at.world_R_tcp[:, :, 0], facing[:, 0]),
                     0.5 * at.turned_past_rad(watched),
                 ]
             )
@@ -268,37 +268,19 @@ class GesturePlanner:
 
         for raised_m in CARRY_RAISED_M:
             raised = partial(residual, raised_m=raised_m)
-            wish = Wish(raised, watched, upright, "upright", 0.08, starts=CARRY_STARTS, has_room=has_room)
+            wish = Wish(
+                raised,
+                watched,
+                upright,
+                "upright",
+                0.08,
+                starts=CARRY_STARTS,
+                has_room=has_room,
+                leans_rad=held.leans_rad,
+            )
             answer = task.reach("carry", wish)
             if isinstance(answer, MovePlan):
                 return answer
         low = partial(residual, raised_m=0.0)
-        return task.reach("carry", Wish(low, watched, upright, "upright", enough=0.08))
-
-
-@dataclass(frozen=True, slots=True)
-class _HeldInHand:
-    """Where a held object is, by the hand's places."""
-
-    tcp_T_object: poses.Transform
-
-    def places_m(self, at: ArmFrames) -> Array:
-        """Of its middle, shape (n, 3)."""
-        return np.asarray(at.tcp_m + at.world_R_tcp @ self.tcp_T_object[:3, 3])
-
-    def upwards(self, at: ArmFrames) -> Array:
-        """Its axis that is up while it stands, shape (n, 3)."""
-        return np.asarray(at.world_R_tcp @ self.tcp_T_object[:3, 2])
-
-    def is_upright(self, at: ArmFrames, tilt_rad: float) -> bool:
-        """Whether that is the vertical within an angle, in the first row."""
-        return bool(self.upwards(at)[0, 2] >= math.cos(tilt_rad))
-
-
-def _unlike(a: Array, b: Array) -> Array:
-    """Differences of directions as unit vectors; of shape (n, 3), the second one or shape (3,)."""
-    return np.asarray(_unit(b) - _unit(a))
-
-
-def _unit(ways: Array) -> Array:
-    return np.asarray(ways / np.sqrt(np.sum(ways * ways, axis=-1, keepdims=True)))
+        wish = Wish(low, watched, upright, "upright", enough=0.08, leans_rad=held.leans_rad)
+        return task.reach("carry", wish)

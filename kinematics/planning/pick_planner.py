@@ -5,7 +5,8 @@ It is the goals that fail, not the passages (field notes), so many grasps are tr
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve
@@ -37,25 +38,37 @@ class PickPlanner:
         Of the first few grasps that a straight reach comes to, the best one is taken: by reach,
         clearance and balance; a good one is taken at once. Only when there is none are detours
         searched, and only when there is no such grasp at all, those at other heights, with less room
-        and with bent knees.
+        and with bent knees. Fingers on a palm come in level wherever they can, bent knees or not.
         """
-        usual = PickTask(self._model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True)
-        if (plan := self._best(usual)) is not None:
-            return plan
-        heights = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
-        thorough = PickTask(self._model, request, heights, LEAST_RESERVE_M, upright=False)
-        if (plan := self._best(thorough)) is not None:
-            return plan
-        considered = usual.considered + thorough.considered
+        if self._palms(request):
+            for task in self._tasks(request, level=True):
+                if (plan := self._best(task)) is not None:
+                    return plan
+        considered, reasons = 0, Counter[str]()
+        for task in self._tasks(request, level=False):
+            if (plan := self._best(task)) is not None:
+                return plan
+            considered, reasons = considered + task.considered, task.reasons
         if considered == 0 and (nowhere := self._nowhere(request)) is not None:
             return nowhere
         hands = " or ".join(request.hands)
         return NoPlan(
             f"no way to grasp the {request.target} with the {hands} hand was found",
-            dict(thorough.reasons),
+            dict(reasons),
             {"grasps_considered": float(considered)},
             WhyNoPlan.NO_GRASP,
         )
+
+    def _tasks(self, request: PickRequest, *, level: bool) -> Iterator[PickTask]:
+        """The usual one, and a thorough one."""
+        model, every = self._model, (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        yield PickTask(model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True, level=level)
+        yield PickTask(model, request, every, LEAST_RESERVE_M, upright=False, level=level)
+
+    def _palms(self, request: PickRequest) -> bool:
+        """Whether fingers of a hand that may be used close on a palm."""
+        grippers = self._model.description.grippers
+        return any(grippers[hand].palm_side_m is not None for hand in request.hands)
 
     def _nowhere(self, request: PickRequest) -> NoPlan | None:
         """That no hand can take hold of it wherever it is; None for what one could."""

@@ -42,6 +42,8 @@ CLEARANCE_COST = 0.5
 ENOUGH_CLEARANCE_M = 0.03
 BALANCE_COST = 0.5
 ENOUGH_BALANCE_M = 0.06
+# Of what fingers on a palm come along: what leans by less than this hardly turns what they close on.
+_LEVEL_SINE = math.sin(math.radians(5.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +76,16 @@ class Goal:
 
 
 class PickTask(PlanningTask):
-    """One pick: its candidates are grasps."""
+    """One pick: its candidates are grasps.
+
+    Args:
+        model: The robot.
+        request: What is asked of it.
+        heights: Where to grasp from the side: above the middle, as shares of the object's height.
+        reserve_m: Kept beyond the margins.
+        upright: Try only what does not bend the knees.
+        level: Try only level grasps of hands whose fingers close on a palm: others turn what they hold.
+    """
 
     def __init__(
         self,
@@ -83,10 +94,11 @@ class PickTask(PlanningTask):
         heights: Sequence[float],
         reserve_m: float,
         upright: bool,
+        level: bool = False,
     ) -> None:
         super().__init__(model, request, reserve_m)
         self._request, self._target = request, request.scene.objects[request.target]
-        self._heights, self._upright = heights, upright
+        self._heights, self._upright, self._level = heights, upright, level
         self._rng = np.random.default_rng(request.seed)
         self._hands: dict[Hand, HandJudge] = {}
         self._grasp_planners: dict[Hand, tuple[PlanningScene, PathPlanner]] = {}
@@ -114,7 +126,7 @@ class PickTask(PlanningTask):
                 self._heights,
                 2.0 * math.hypot(offset[0], offset[1]),
             )
-            rows = list(range(len(table)))
+            rows = self._wanted(table)
             if excluded:
                 rows = [k for k in rows if key_of(hand, table.name(k)) not in excluded]
                 if len(rows) < len(table):
@@ -137,6 +149,13 @@ class PickTask(PlanningTask):
             else:
                 self.considered += 1
                 self.reasons["hand collides at the grasp"] += 1
+
+    def _wanted(self, table: GraspTable) -> list[int]:
+        """Rows of a table that are to be tried: all, or of fingers on a palm those that are level."""
+        if not self._level or self._model.description.grippers[table.hand].palm_side_m is None:
+            return list(range(len(table)))
+        level = np.abs(table.world_T_tcp[:, 2, 0]) <= _LEVEL_SINE
+        return [int(row) for row in np.flatnonzero(level)]
 
     def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:
         """Whether the hand alone has room, open and closed, and where the approach is solved.

@@ -41,10 +41,11 @@ class LookAtPlace(PlannedMotionLeaf):
         gaze = body_gaze(toolbox.model, reference, place.aim_m, turning)
         if gaze is None:
             return Failure.infeasible(f"no posture looks at the {place.name} from here")
-        if level_enough(toolbox, gaze.joints) != gaze.joints:
+        joints = level_enough(toolbox, gaze.joints)
+        if any(joints[name] != angle for name, angle in gaze.joints.items()):
             return Failure.infeasible(f"to look at the {place.name} would tilt what the hand holds")
         x, y, z = (float(value) for value in pelvis_offset(reference, gaze.pelvis_m))
-        return move_from_here(toolbox, gaze.joints, keep_others=True, pelvis_m=(x, y, z))
+        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=(x, y, z))
 
     def step(self) -> Status | Failure:
         """Move, then measure how far from the picture's centre it is."""

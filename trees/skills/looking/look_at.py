@@ -17,14 +17,12 @@ from trees.failures import Failure
 from trees.nodes.ports import ports
 from trees.policy import Gaze
 from trees.port_values import Target
-from trees.skills.looking.aiming_leaf import AimingLeaf
+from trees.skills.looking.aiming_leaf import UNNOTICED_M, AimingLeaf, counterpoise_m
 from trees.skills.looking.hand_ways import UnseenPlaces
 from trees.toolbox import Toolbox
 
 _WELL_IN_VIEW = 0.6
 """Nearer to the middle of the picture than this share of half of it, a thing is in it with all that it is."""
-_BEHIND_M = 0.02
-"""A pelvis that is nearer than this to where it is at home is left where it is."""
 
 
 class LookAt(AimingLeaf):
@@ -41,18 +39,21 @@ class LookAt(AimingLeaf):
         """The gaze's, inside their limits, rad."""
         return joints_of(self.gaze, self.toolbox.model.description)
 
-    def pelvis_m(self) -> tuple[float, float, float]:
-        """To where the gaze has it; it does not stay behind without a lean."""
+    def pelvis_m(self, joints: Mapping[str, float]) -> Array:
+        """To where the gaze has it; it does not stay behind without a lean, nor ahead once a trunk is up."""
         model, motion = self.toolbox.model, self.toolbox.motion
         if model.description.welded:
-            return (0.0, 0.0, 0.0)
+            return np.zeros(3)
+        ahead_m = counterpoise_m(self.toolbox, joints)
+        if ahead_m is not None:
+            return ahead_m
         home, now = StandingRobot.of(model, motion.stance()).q_home, motion.reference()
         ahead = pelvis_offset(home, (1.0, 0.0, 0.0))
         behind_m = float(ahead @ (home[:3] - now[:3]))
-        if not self.gaze.back_m and behind_m <= _BEHIND_M:
-            return (0.0, 0.0, 0.0)
-        x, y, z = (float(value) for value in (behind_m - self.gaze.back_m) * ahead)
-        return (x, y, z)
+        trunk_aims = model.description.camera.trunk is not None
+        if not self.gaze.back_m and (abs(behind_m) if trunk_aims else behind_m) <= UNNOTICED_M:
+            return np.zeros(3)
+        return (behind_m - self.gaze.back_m) * ahead
 
 
 def joints_of(gaze: Gaze, description: RobotDescription) -> Mapping[str, float]:
