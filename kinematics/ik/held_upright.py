@@ -36,10 +36,6 @@ class HeldInHand:
         """Its axis that is up while it stands, shape (n, 3)."""
         return np.asarray(at.world_R_tcp @ self.tcp_T_object[:3, 2])
 
-    def leans_rad(self, at: ArmFrames) -> float:
-        """How far that is from the vertical, in the first row."""
-        return math.acos(min(1.0, float(self.upwards(at)[0, 2])))
-
     def is_upright(self, at: ArmFrames, tilt_rad: float) -> bool:
         """Whether that is the vertical within an angle, in the first row."""
         return bool(self.upwards(at)[0, 2] >= math.cos(tilt_rad))

@@ -232,7 +232,7 @@ class GesturePlanner:
             (1.0, 0.0, upright, "upright", STARTS),
         ):
             weighed = partial(residual, place_weight=place_weight, finger_weight=finger_weight)
-            wish = Wish(weighed, person, good, goodness, 0.12, starts, leans_rad=held.leans_rad)
+            wish = Wish(weighed, person, good, goodness, 0.12, starts)
             answer = task.reach("offer", wish)
             if isinstance(answer, MovePlan):
                 break
@@ -276,11 +276,10 @@ class GesturePlanner:
                 0.08,
                 starts=CARRY_STARTS,
                 has_room=has_room,
-                leans_rad=held.leans_rad,
             )
             answer = task.reach("carry", wish)
             if isinstance(answer, MovePlan):
                 return answer
         low = partial(residual, raised_m=0.0)
-        wish = Wish(low, watched, upright, "upright", enough=0.08, leans_rad=held.leans_rad)
+        wish = Wish(low, watched, upright, "upright", enough=0.08)
         return task.reach("carry", wish)

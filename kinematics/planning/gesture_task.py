@@ -26,9 +26,6 @@ STARTS = 12
 ENOUGH = 0.02
 # How far beside home random starts are.
 SPREAD_RAD = 0.6
-# What a thing may lean by between two postures that hold it upright, and how many ways are compared.
-MOST_LEAN_RAD = 0.1
-MOST_WAYS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +41,6 @@ class Wish:
         starts: How often the search begins anew, at random.
         spread_rad: How far from the home posture each joint may be where it begins.
         has_room: Whether a configuration, shape (nq,), keeps away from things; None leaves that to the way.
-        leans_rad: How far what is held leans; None where nothing is. Of some ways the first is taken on which
-            it leans by no more than ``MOST_LEAN_RAD`` farther than at its beginning, else the best of them.
     """
 
     residual: Residual
@@ -56,7 +51,6 @@ class Wish:
     starts: int = STARTS
     spread_rad: float = SPREAD_RAD
     has_room: Callable[[Array], bool] | None = None
-    leans_rad: Callable[[ArmFrames], float] | None = None
 
 
 class GestureTask(ABC):

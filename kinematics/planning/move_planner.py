@@ -19,6 +19,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.lead_in import lead_in
+from kinematics.planning.held_lean import MOST_LEAN_RAD, leaned_rad
 from kinematics.planning.path_planner import PathPlanner, PathSettings
 from kinematics.planning.planning_task import REACH_PACE
 from kinematics.requests.move import MovePlan, MoveRequest
@@ -58,6 +59,8 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
         if curve is None:
             return _no_way(validity(robot, scene), ends)
         concessions += rest_concessions(scene, resting, "move")
+    if request.level and leaned_rad(model, space, curve, scene) > MOST_LEAN_RAD:
+        return NoPlan("what a hand holds would lean on the way", {"what is held leans": 1})
     trajectory = time_in_balance(robot, curve, REACH_PACE)
     if trajectory is None:
         return NoPlan("the legs cannot follow the motion", {"legs cannot follow": 1})
@@ -77,7 +80,10 @@ def _goal(robot: StandingRobot, start: Array, request: MoveRequest) -> Array:
 
 
 def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: PlanningScene) -> Curve | None:
-    """A free curve: with a wide berth of things, else with a reserve against the checker, else without."""
+    """A free curve: with a wide berth of things, else with a reserve against the checker, else without.
+
+    What a hand holds leans little on it, if that costs no more than some of the berth.
+    """
     model, groups = robot.model, robot.model.description.groups
     moving = [
         ends.space.index(joint) for name in ("left_arm", "right_arm", "torso") for joint in groups[name]
@@ -87,13 +93,16 @@ def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: Plannin
     ways = [(spare, RESERVE_M, PathSettings()), (scene, 0.0, _PATIENT)]
     if wide is not spare:
         ways.insert(0, (wide, RESERVE_M, PathSettings()))
+    found: list[tuple[float, Curve]] = []
     for around, reserve_m, settings in ways:
         judge = validity(robot, around, reserve_m)
         planner = PathPlanner(model, ends.space, judge, settings)
         curve = planner.plan(ends.start, ends.goal, moving, np.random.default_rng(request.seed))
         if curve is not None:
-            return curve
-    return None
+            found.append((leaned_rad(model, ends.space, curve, scene), curve))
+            if found[-1][0] <= MOST_LEAN_RAD:
+                break
+    return min(found, key=lambda one: one[0])[1] if found else None
 
 
 def _no_way(judge: Validity, ends: _Ends) -> NoPlan:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from kinematics.arrays import Array
 from kinematics.collision.wide_berth import widened
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, RoundedPolyline
-from kinematics.planning.gesture_task import MOST_LEAN_RAD, MOST_WAYS, GestureTask, Wish
+from kinematics.planning.gesture_task import GestureTask, Wish
+from kinematics.planning.held_lean import MOST_LEAN_RAD, leaned_rad
 from kinematics.planning.planning_task import PlanningTask
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MovePlan
@@ -24,8 +23,8 @@ GESTURE_PACE = Pace(velocity=0.5, acceleration=0.7)
 SWING_PACE = Pace(velocity=0.7, acceleration=0.9)
 # Of the corners of a hand's way to and fro.
 _ROUNDED = 0.06
-# Where along a way a lean is looked for.
-_ALONG = np.linspace(0.0, 1.0, 17)
+# Ways that are compared by how far they lean what is held.
+_MOST_WAYS = 4
 
 
 class PlannedGesture(GestureTask):
@@ -52,8 +51,8 @@ class PlannedGesture(GestureTask):
             if curve is None:
                 reasons["no path"] += 1
                 continue
-            ways.append((self._leaned_rad(curve, wish), curve))
-            if ways[-1][0] <= MOST_LEAN_RAD or len(ways) >= MOST_WAYS:
+            ways.append((leaned_rad(self._model, task.space, curve, task.scene), curve))
+            if ways[-1][0] <= MOST_LEAN_RAD or len(ways) >= _MOST_WAYS:
                 break
         if not ways:
             return self._none(reasons)
@@ -74,14 +73,6 @@ class PlannedGesture(GestureTask):
             return lambda _: True
         judge = task.planner_in(wide).judge
         return lambda q: judge.points_are_free(task.space.from_q(q)[None, :])
-
-    def _leaned_rad(self, curve: Curve, wish: Wish) -> float:
-        """How much farther than at its beginning what is held leans along a curve, at most."""
-        if wish.leans_rad is None:
-            return 0.0
-        found, _ = self._task.space.to_q(curve(_ALONG))
-        leans_rad = [wish.leans_rad(self.arm.at(q)) for q in found]
-        return max(leans_rad) - leans_rad[0]
 
     def _timed(self, name: str, curve: Curve, pace: Pace) -> MovePlan | NoPlan:
         """Give a free curve its time."""

@@ -25,6 +25,8 @@ class MoveRequest(Request[MovePlan | NoPlan]):
     Attributes:
         joints: Goal positions of some body joints, rad.
         keep_others: Joints left out stay where they are instead of going home.
+        level: Where what is in a hand would lean on the way, beyond what it leans at both ends, there is no plan.
+            Otherwise that is avoided where it can be.
         pelvis_m: How far the pelvis moves meanwhile, along the axes of the world, shape (3,); a welded base
             does not.
         seed: Of everything random in the plan.
@@ -32,6 +34,7 @@ class MoveRequest(Request[MovePlan | NoPlan]):
 
     joints: Mapping[str, float] = field(default_factory=dict)
     keep_others: bool = False
+    level: bool = False
     pelvis_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     seed: int = 0
 

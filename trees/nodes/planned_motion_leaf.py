@@ -134,12 +134,13 @@ def move_from_here(
     joints: Mapping[str, float] | None = None,
     keep_others: bool = False,
     pelvis_m: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    level: bool = False,
 ) -> MoveRequest:
     """Ask for a move from the posture that is commanded, amid what is believed.
 
     Args:
         toolbox: Knows both, and deals the seed.
-        joints, keep_others, pelvis_m: As for ``MoveRequest``.
+        joints, keep_others, pelvis_m, level: As for ``MoveRequest``.
     """
     return MoveRequest(
         q_start=toolbox.motion.reference(),
@@ -148,5 +149,6 @@ def move_from_here(
         joints=joints or {},
         keep_others=keep_others,
         pelvis_m=pelvis_m,
+        level=level,
         seed=int(toolbox.rng.integers(2**31)),
     )

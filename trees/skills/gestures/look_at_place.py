@@ -45,7 +45,7 @@ class LookAtPlace(PlannedMotionLeaf):
         if any(joints[name] != angle for name, angle in gaze.joints.items()):
             return Failure.infeasible(f"to look at the {place.name} would tilt what the hand holds")
         x, y, z = (float(value) for value in pelvis_offset(reference, gaze.pelvis_m))
-        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=(x, y, z))
+        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=(x, y, z), level=True)
 
     def step(self) -> Status | Failure:
         """Move, then measure how far from the picture's centre it is."""

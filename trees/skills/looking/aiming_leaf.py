@@ -57,7 +57,7 @@ class AimingLeaf(PlannedMotionLeaf):
         x, y, z = (float(value) for value in self.pelvis_m(joints))
         if float(off.max()) <= toolbox.policy.gaze_tolerance_rad and not any((x, y, z)):
             return None
-        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=(x, y, z))
+        return move_from_here(toolbox, joints, keep_others=True, pelvis_m=(x, y, z), level=True)
 
 
 def counterpoise_m(toolbox: Toolbox, joints: Mapping[str, float]) -> Array | None:
