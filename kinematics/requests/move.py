@@ -25,7 +25,7 @@ class MoveRequest(Request[MovePlan | NoPlan]):
     Attributes:
         joints: Goal positions of some body joints, rad.
         keep_others: Joints left out stay where they are instead of going home.
-        level: Where what is in a hand would lean on the way, beyond what it leans at both ends, there is no plan.
+        level: Where what is in a hand would lean on the way, beyond its leans at both ends, there is no plan.
             Otherwise that is avoided where it can be.
         pelvis_m: How far the pelvis moves meanwhile, along the axes of the world, shape (3,); a welded base
             does not.
