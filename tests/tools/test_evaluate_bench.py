@@ -55,7 +55,7 @@ def test_the_rooms_of_a_humanoid_are_as_before():
 
 
 def test_stops_of_a_bench_come_to_every_phase_of_its_courses():
-    orders = stop_orders("stop", 18, 0, "panda", bench=True)
+    orders = stop_orders("stop", 18, 0, "panda", scene="bench")
 
     assert sum(len(order.wanted) for order in orders) == 18
     assert {COURSES[order.course] for order in orders} == set(BENCH_CYCLE)

@@ -21,13 +21,22 @@ from robots.scenes.scene_description import SceneDescription
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
 from tools.evaluate.opening.scenes import opening_scene
 from tools.evaluate.phases import PhaseWatch
-from tools.evaluate.scenes import SENTENCE, TARGET, bench_pick, episode_rng, pick_scene, read_episode_scene
+from tools.evaluate.scenes import (
+    BENCH,
+    LOW_TABLE,
+    SENTENCE,
+    TARGET,
+    bench_pick,
+    episode_rng,
+    pick_scene,
+    read_episode_scene,
+)
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.gestures import point_trial, wave_trial
 from tools.evaluate.skills.placing import place_trial
 from tools.evaluate.skills.putting_in_fridge import put_in_fridge_trial
 from tools.evaluate.skills.suite import Trial
-from tools.evaluate.skills.walking import stop_trial
+from tools.evaluate.skills.walking import LOW_PACES, stop_trial
 from trees.tasks import MoveTask, ObjectDescription, OpenTask
 
 HOLD_S = 2.0
@@ -118,6 +127,14 @@ def _of_trial(trial: Callable[[np.random.Generator], Trial]) -> Callable[[int], 
     return script
 
 
+def _low_table(seed: int) -> Script:
+    return Script(read_episode_scene(bench_pick(seed, where=rooms.LOW), seed), _said(SENTENCE, "go home"))
+
+
+def _low_gesture(seed: int) -> Script:
+    return _of_trial(partial(point_trial if seed % 2 else wave_trial, where=rooms.LOW))(seed)
+
+
 def _gesture(seed: int) -> Script:
     return _of_trial(point_trial if seed % 2 else wave_trial)(seed)
 
@@ -200,11 +217,26 @@ BENCH_OPENING = replace(OPENING, name="open a drawer", script=_bench_drawer)
 BENCH_CYCLE = (BENCH_PICK, BENCH_PLACING, BENCH_OPENING, BENCH_POINTING)
 """Of an arm that is bolted down."""
 
+LOW_PICK = replace(PICK, name="pick from a low table", script=_low_table)
+LOW_MOVED = replace(MOVED, name="the cup moves on a low table, recover", script=_low_table)
+LOW_PLACING = replace(
+    PLACING, name="place on a low table", script=_of_trial(partial(place_trial, where=rooms.LOW))
+)
+LOW_WALKING = replace(
+    WALKING, name="walk of a small body", script=_of_trial(lambda rng: stop_trial(rng, LOW_PACES))
+)
+LOW_GESTURE = replace(GESTURE, name="wave, point at a low table", script=_low_gesture)
+LOW_CYCLE = (LOW_PICK, LOW_PLACING, LOW_WALKING, LOW_MOVED, LOW_GESTURE, *(LOW_PICK, LOW_MOVED) * 2)
+"""Of a humanoid of a child's size."""
+
 CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
 """Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
 than seven of ten."""
 
-COURSES = (*CYCLE, FRIDGE, *BENCH_CYCLE)
+CYCLES = {BENCH: BENCH_CYCLE, LOW_TABLE: LOW_CYCLE}
+"""By the scene that is named; any other has ``CYCLE``."""
+
+COURSES = (*CYCLE, FRIDGE, *BENCH_CYCLE, *LOW_CYCLE)
 """All there are. Those outside the cycle run when they are asked for by ``COURSES_BY_NAME``."""
 
 COURSES_BY_NAME = {"put_in_fridge": COURSES.index(FRIDGE)}

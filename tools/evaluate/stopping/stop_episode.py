@@ -13,10 +13,10 @@ from robots.simulated.frugal_memory import make_room
 from tools.evaluate.scenes import episode_rng
 from tools.evaluate.stopping.branch import Branches
 from tools.evaluate.stopping.courses import (
-    BENCH_CYCLE,
     COURSES,
     COURSES_BY_NAME,
     CYCLE,
+    CYCLES,
     CourseRun,
     next_after,
 )
@@ -50,11 +50,11 @@ class StopOrder:
 
 
 def stop_orders(
-    suite: str, episodes: int, seed: int, robot: str, course_name: str | None = None, bench: bool = False
+    suite: str, episodes: int, seed: int, robot: str, course_name: str | None = None, scene: str | None = None
 ) -> list[StopOrder]:
     """Runs enough for so many instants; of one course alone, if it is named, else of a cycle."""
     orders: list[StopOrder] = []
-    cycle = [COURSES.index(course) for course in (BENCH_CYCLE if bench else CYCLE)]
+    cycle = [COURSES.index(course) for course in CYCLES.get(scene or "", CYCLE)]
     left = episodes
     while left > 0:
         course = cycle[len(orders) % len(cycle)] if course_name is None else COURSES_BY_NAME[course_name]

@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 
 from tools.evaluate.records import Bar
-from tools.evaluate.stopping.courses import BENCH_CYCLE, CYCLE
+from tools.evaluate.stopping.courses import CYCLE, CYCLES
 from tools.evaluate.stopping.stop_judge import REST_RAD_S, REST_WITHIN_S, STAND_WITHIN_S
 from tools.evaluate.stopping.timeline import MOVING_RAD_S
 
 _ROOM = 1.005
 """Limits are kept when they are kept to half a percent: the room that the trajectory checker gives."""
-_BENCH = {course.name for course in BENCH_CYCLE}
 _LEAST_OF_A_PHASE = 20
 _OF = 300
 
@@ -97,7 +96,8 @@ class StopSummary:
         count = len(self.records)
         moving = sum(record.arm_rad_s > MOVING_RAD_S for record in self.records)
         phases = Counter(record.phase for record in self.records)
-        cycle = BENCH_CYCLE if {record.course for record in self.records} <= _BENCH else CYCLE
+        run = {record.course for record in self.records}
+        cycle = next((one for one in CYCLES.values() if run <= {course.name for course in one}), CYCLE)
         least = min(phases[phase] for course in cycle for phase in course.wanted)
         wanted = _LEAST_OF_A_PHASE * count // _OF
         broken = Counter(fault for record in self.records for fault in record.faults)

@@ -8,7 +8,6 @@ from functools import partial
 from rich.console import Console
 
 from tools.evaluate.record_suite import run_record_suite
-from tools.evaluate.scenes import BENCH
 from tools.evaluate.stopping.stop_episode import died, run_stops, stop_orders
 from tools.evaluate.stopping.stop_record import StopRecord, StopSummary
 
@@ -23,7 +22,7 @@ def run_stop_suite(options: argparse.Namespace, messages: Console) -> int:
             options.seed,
             options.robot,
             options.course,
-            bench=options.scene == BENCH,
+            scene=options.scene,
         ),
         run_stops,
         died,

@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.leaves.check_trajectory import CheckTrajectory
-from trees.leaves.go_home import GoHome, tidily
+from trees.leaves.go_home import tidily
 from trees.leaves.stream_motion import StreamMotion
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
@@ -26,6 +26,7 @@ from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.carrying.regrasp import regrasping
 from trees.skills.carrying.still_held import StillHeld
+from trees.skills.looking.hands_aside import out_of_the_picture
 from trees.skills.looking.look_over import look_over, look_past_hands
 from trees.skills.place.find_spots import ExcludeSpot, FindSpots
 from trees.skills.place.know_destination import know_destination
@@ -34,6 +35,7 @@ from trees.skills.place.plan_place import PlanPlace
 from trees.skills.place.raise_held import RaiseHeld
 from trees.skills.place.see_held import SeeHeld
 from trees.skills.place.settings import PlaceSettings
+from trees.skills.place.stand_before_spot import before_the_spot
 from trees.skills.place.swap_hands import other_hand_is_no_help, swap_hands
 from trees.skills.place.verify_placed import VerifyPlaced
 from trees.toolbox import Toolbox
@@ -47,6 +49,9 @@ def place(toolbox: Toolbox) -> Behaviour:
     anywhere: list[Behaviour] = [rewired(_find_room(toolbox), {"task": "swap_place"}), _attempt(toolbox)]
     swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), bring(toolbox)]
     ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
+    if any(gripper.palm_side_m is not None for gripper in toolbox.model.description.grippers.values()):
+        # level grasps of two hands hardly share a spot: a step beside does it
+        ways.insert(1, before_the_spot(bring(toolbox), toolbox))
     either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
     either.transparent = True
     carry: list[Behaviour] = [get_in_hand(toolbox, know_destination(toolbox)), either]
@@ -54,7 +59,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         look_over(toolbox),
         regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
-        GoHome("clear the view", toolbox),
+        out_of_the_picture("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
         VerifyPlaced("verify placed", toolbox, toolbox.policy.of(PlaceSettings).placed_tolerance_m),

@@ -9,8 +9,6 @@ from itertools import chain
 import numpy as np
 from py_trees.common import Status
 
-from kinematics.arrays import Array
-from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.ik.arm_frames import link_moved_by
 from kinematics.model.robot_description import Hand
@@ -25,7 +23,13 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.walk_to.choose_stand import ChooseStand
-from trees.skills.walking.reachable_standing import EYE_AHEAD_M, TURNED_RAD, Stand, StandingRoom
+from trees.skills.walking.reachable_standing import (
+    EYE_AHEAD_M,
+    TURNED_RAD,
+    Stand,
+    StandingRoom,
+    posture_at,
+)
 from trees.skills.walking.standing_place import EDGE_M
 
 _REACH_M = 1.0
@@ -130,10 +134,8 @@ class ChooseStandToPut(ChooseStand):
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
         toolbox = self.toolbox
-        q = toolbox.motion.reference().copy()
-        q[:7] = _moved(q[:7], self._here, body)
         return PlaceRequest(
-            q_start=q,
+            q_start=posture_at(toolbox.motion.reference(), self._here, body),
             stance=stance,
             scene=toolbox.world.scene,
             held=self.get_input("held").name,
@@ -174,10 +176,3 @@ def few_of_each(spots: Sequence[Spot]) -> Iterator[Spot]:
     """The first few spots of each board: asking about all of them from everywhere takes seconds."""
     for board in dict.fromkeys(spot.touches for spot in spots):
         yield from [spot for spot in spots if spot.touches == board][:_SPOTS]
-
-
-def _moved(base: Array, here: PlanarPose, there: PlanarPose) -> Array:
-    """A base's position and quaternion, shape (7,), carried from one place on the floor to another."""
-    odom_T_base = poses.transform(poses.rotation_from_quaternion(base[3:]), base[:3])
-    moved = (there @ here.inverse()).transform() @ odom_T_base
-    return np.concatenate([moved[:3, 3], poses.quaternion_from_rotation(moved[:3, :3])])

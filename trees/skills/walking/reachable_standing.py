@@ -10,6 +10,7 @@ from itertools import product
 import numpy as np
 
 from kinematics.arrays import Array
+from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.model.stance import Stance
 from kinematics.model.walking_settings import WalkingSettings
@@ -203,3 +204,10 @@ def _is_free(body: PlanarPose, points: Array, obstacles: Sequence[Footprint]) ->
     c, s = math.cos(body.yaw_rad), math.sin(body.yaw_rad)
     turned = points @ np.array([[c, s], [-s, c]]) + (body.x_m, body.y_m)
     return all(float(one.distance_m(turned).min()) > _SPARE_M for one in obstacles)
+
+
+def posture_at(q: Array, here: PlanarPose, there: PlanarPose) -> Array:
+    """A configuration, shape (nq,), with its base carried from one place on the floor to another."""
+    odom_T_base = poses.transform(poses.rotation_from_quaternion(q[3:7]), q[:3])
+    moved = (there @ here.inverse()).transform() @ odom_T_base
+    return np.concatenate([moved[:3, 3], poses.quaternion_from_rotation(moved[:3, :3]), q[7:]])
