@@ -28,8 +28,11 @@ if TYPE_CHECKING:
 BASE_FREEDOM = np.array([0.02, 0.02, 0.02, 0.02, 0.02, 0.02])
 TORSO_FREEDOM = 0.1
 # The base stays within this of where it stands at home: position, m, and rotation vector, rad.
-BASE_BELOW = np.array([0.25, 0.25, 0.45, 0.6, 0.9, 0.6])
-BASE_ABOVE = np.array([0.25, 0.25, 0.05, 0.6, 0.9, 0.6])
+BASE_BELOW = (0.25, 0.25, 0.45)
+BASE_ABOVE = (0.25, 0.25, 0.05)
+BASE_TURN_RAD = 0.6
+# Of the lean that the body may have forward or back, what it may have aside.
+_ASIDE = 2.0 / 3.0
 # Knees bend no more than this lowers the base where the hand gets there without.
 UPRIGHT_M = 0.15
 UPRIGHT_TRIES = 2
@@ -91,8 +94,11 @@ class ReachIk:
         self._most_rad = self._joint_upper + planning_reserve.LIMIT_NOISE_RAD
         home = self._space.from_q(robot.q_home)
         columns = self._coordinates.columns - 7
-        self._lower = np.concatenate([home[:6] - BASE_BELOW, self._joint_lower[columns]])
-        self._upper = np.concatenate([home[:6] + BASE_ABOVE, self._joint_upper[columns]])
+        lean_rad = description.lean_rad
+        turns = (_ASIDE * lean_rad, lean_rad, BASE_TURN_RAD)
+        below, above = np.array([*BASE_BELOW, *turns]), np.array([*BASE_ABOVE, *turns])
+        self._lower = np.concatenate([home[:6] - below, self._joint_lower[columns]])
+        self._upper = np.concatenate([home[:6] + above, self._joint_upper[columns]])
         self._freedom = np.zeros(self._space.size)
         self._freedom[:6] = BASE_FREEDOM
         for joint in description.groups["torso"]:

@@ -253,6 +253,7 @@ class RobotDescription:
         planning_margin_rad: Limits are shrunk by this for planning.
         com_margin_m: The CoM's projection stays at least this far inside the support polygon.
         reach_m: No hand gets farther than this from its shoulder, a trunk that leans included.
+        lean_rad: To reach something the pelvis leans forward or back by no more, aside by two thirds.
         foot_sensors: Whether its feet feel what the floor does; else the legs' efforts tell it.
     """
 
@@ -283,6 +284,7 @@ class RobotDescription:
     reachability: ReachabilityMap | None = None
     joint_viscosity_nms_rad: float = 0.0
     reach_m: float = 1.15
+    lean_rad: float = 0.9
     foot_sensors: bool = True
 
     @property

@@ -160,6 +160,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         planning_margin_rad=document.limits.planning_margin_rad,
         joint_viscosity_nms_rad=document.friction.viscosity_nms_rad,
         com_margin_m=_com_margin_m(document),
+        lean_rad=document.limits.lean_rad,
         base=body.base,
         mount_xyz_m=body.mount_xyz_m,
         mount_rpy_rad=body.mount_rpy_rad,

@@ -58,6 +58,7 @@ class LimitsTable(StrictTable):
 
     planning_margin_rad: FiniteFloat
     com_margin_m: FiniteFloat | None = None
+    lean_rad: FiniteFloat = 0.9
     acceleration: Numbers
     jerk: Numbers
     velocity: Numbers = Field(default_factory=dict)

@@ -9,6 +9,7 @@ from kinematics.geometry.shapes import Box
 from kinematics.requests.check import CheckRequest
 from kinematics.requests.control import ControlRequest
 from kinematics.requests.handle import HandleRequest
+from kinematics.requests.place import Spot
 from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, person, table
 from robots.perception.object_estimate import ObjectEstimate
@@ -48,6 +49,7 @@ from trees.skills.guide.lead import Lead
 from trees.skills.guide.speak_to_guest import SpeakToGuest
 from trees.skills.hand_over.look_at_taker import LookAtTaker
 from trees.skills.meeting.is_near import IsNear
+from trees.skills.place.stand_before_spot import AskForWalkThere, ChooseStandToPlace
 from trees.skills.place.swap_hands import AskForSwap
 from trees.skills.put_in.choose_stand_to_put import ChooseStandToPut
 from trees.skills.put_in.find_board_room import FindBoardRoom
@@ -57,7 +59,7 @@ from trees.skills.walk_to.see_front import SeeFront
 from trees.skills.walk_to.squared_up import SquaredUp
 from trees.skills.walking.reachable_standing import Stand
 from trees.skills.walking.walk_to import WalkTo
-from trees.tasks import ObjectDescription, OpenTask, PressTask, PutInTask, TurnKnobTask
+from trees.tasks import ObjectDescription, OpenTask, PlaceTask, PressTask, PutInTask, TurnKnobTask
 
 OPEN = OpenTask("open the fridge", ObjectDescription("fridge"))
 (FRIDGE,) = load_scene("fridge").furniture
@@ -182,6 +184,19 @@ def to_put_inside(stage):
     scene = stage.told.scene.with_attached(red.name, frame, np.eye(4), ())
     stage.told.update(scene)
     return {"place": body_of_fridge(), "held": HeldObject(red.name, "right", red.shape, np.eye(4))}
+
+
+def cup_to_put_elsewhere(stage):
+    """A cup in the one hand, and a spot on the table for it."""
+    top, red, frame = table(), cup(), stage.toolbox.model.description.tcp_frames["right"]
+    believe(stage, [top, red])
+    stage.told.update(stage.told.scene.with_attached(red.name, frame, np.eye(4), ()))
+    return {
+        "task": PlaceTask("put it on the table", on="table"),
+        "place": Place("table", "furniture", top.shape, top.world_T_object, 0.9),
+        "held": HeldObject(red.name, "right", red.shape, np.eye(4)),
+        "spots": (Spot(red.world_T_object, ("table",)),),
+    }
 
 
 def planned(stage, opening_rad=0.0):
@@ -337,6 +352,8 @@ GIVEN = {
     AskForSwap: cup_in_hand,
     ChooseHandle: open_fridge,
     ChooseStand: cup_to_stand_for,
+    AskForWalkThere: cup_to_put_elsewhere,
+    ChooseStandToPlace: cup_to_put_elsewhere,
     ChooseStandToPut: to_put_inside,
     FindBoardRoom: to_put_inside,
     GraspHandle: hand_at_handle,

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import looking_elsewhere_is_useless
-from trees.skills.looking.hands_aside import out_of_the_picture
+from trees.skills.looking.hands_aside import HandsAside
 from trees.skills.looking.look_at import LookAt
 from trees.skills.looking.survey import Survey
 from trees.toolbox import Toolbox
@@ -40,7 +40,7 @@ def look_past_hands(name: str, find: Callable[[], Behaviour], toolbox: Toolbox) 
     looks: list[Behaviour] = []
     for look, gaze, before in (
         ("look ahead", first, []),
-        ("draw the hand in", first, [out_of_the_picture("hand away", toolbox)]),
+        ("draw the hand in", first, [HandsAside("hand away", toolbox)]),
         *((f"look {gaze.name}", gaze, []) for gaze in others),
     ):
         children: list[Behaviour] = [*before, LookAt("look", toolbox, gaze), find()]

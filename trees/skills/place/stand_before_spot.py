@@ -15,7 +15,7 @@ from kinematics.requests.place import PlaceRequest
 from kinematics.scene.planning_scene import SceneObject
 from trees.beliefs.grounding.destination import Place
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf, rewired
 from trees.nodes.ports import ports
@@ -35,22 +35,25 @@ _BEFORE_M = (-0.05, 0.35)
 class AskForWalkThere(Leaf):
     """Write the task of walking to what the object is to be put on, or beside."""
 
-    INPUT_PORTS = ports(task=PlaceTask)
+    INPUT_PORTS = ports(task=PlaceTask, held=HeldObject)
     OUTPUT_PORTS = ports(walk_task=object)
     CONTRACT = Contract(
-        precondition="none",
-        postcondition="the walk is described",
+        precondition="a hand holds the object",
+        postcondition="fingers on a palm hold it, and the walk is described",
         deadline_s=1.0,
     )
 
     def step(self) -> Status | Failure:
-        """Describe it, unless the robot cannot walk or nothing was named."""
+        """Describe it, unless the other hand is as good, the robot cannot walk, or nothing was named."""
         task: PlaceTask = self.get_input("task")
+        held: HeldObject = self.get_input("held")
+        if self.toolbox.model.description.grippers[held.hand].palm_side_m is None:
+            return _no_way("the other hand is nearer than another place to stand")
         to = task.to if task.to is not None else task.on
         if isinstance(to, ObjectDescription) and to.relation is not None:
             to = to.relation.to
         if to is None or not self.toolbox.can_walk:
-            return Failure.infeasible("there is nowhere else to stand")
+            return _no_way("there is nowhere else to stand")
         self._set_output("walk_task", task_that(After.AT_GOAL, task.text, to=to))
         return DONE
 
@@ -111,10 +114,11 @@ class ChooseStandToPlace(ChooseStand):
 
     def without_any(self) -> Status | Failure:
         """Nobody walks to where nothing can be done."""
-        return Failure.infeasible(
-            f"there is no place to stand from which the {self.hands()[0]} hand gets to the spot",
-            places=self._asked,
-        )
+        return _no_way(f"there is no place to stand from which the {self.hands()[0]} hand gets to the spot")
+
+
+def _no_way(message: str) -> Failure:
+    return Failure.infeasible(message).because(Reason.NO_WAY_TO_SPOT)
 
 
 def before_the_spot(bring: Behaviour, toolbox: Toolbox) -> Behaviour:

@@ -1,6 +1,7 @@
 """Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look.
 
-Where this hand does not reach, it is put down on the way and taken up with the other one.
+Where this hand does not reach, it is put down on the way and taken up with the other one; fingers on a palm,
+whose level grasps hardly share a spot, are walked there instead.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from trees.skills.carrying.look_at_placement import LookAtPlacement
 from trees.skills.carrying.note_bystanders import NoteBystanders
 from trees.skills.carrying.regrasp import regrasping
 from trees.skills.carrying.still_held import StillHeld
-from trees.skills.looking.hands_aside import out_of_the_picture
+from trees.skills.looking.hands_aside import HandsAside
 from trees.skills.looking.look_over import look_over, look_past_hands
 from trees.skills.place.find_spots import ExcludeSpot, FindSpots
 from trees.skills.place.know_destination import know_destination
@@ -48,10 +49,11 @@ def place(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     anywhere: list[Behaviour] = [rewired(_find_room(toolbox), {"task": "swap_place"}), _attempt(toolbox)]
     swapped: list[Behaviour] = [swap_hands(anywhere, toolbox), bring(toolbox)]
-    ways: list[Behaviour] = [bring(toolbox), Sequence("other hand", memory=True, children=swapped)]
-    if any(gripper.palm_side_m is not None for gripper in toolbox.model.description.grippers.values()):
-        # level grasps of two hands hardly share a spot: a step beside does it
-        ways.insert(1, before_the_spot(bring(toolbox), toolbox))
+    ways: list[Behaviour] = [
+        bring(toolbox),
+        before_the_spot(bring(toolbox), toolbox),
+        Sequence("other hand", memory=True, children=swapped),
+    ]
     either = Alternatives("with either hand", ways, hopeless=other_hand_is_no_help)
     either.transparent = True
     carry: list[Behaviour] = [get_in_hand(toolbox, know_destination(toolbox)), either]
@@ -59,7 +61,7 @@ def place(toolbox: Toolbox) -> Behaviour:
         look_over(toolbox),
         regrasping(carry, toolbox),
         BestEffort(DrawBack("draw back", toolbox)),
-        out_of_the_picture("clear the view", toolbox),
+        HandsAside("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
         VerifyPlaced("verify placed", toolbox, toolbox.policy.of(PlaceSettings).placed_tolerance_m),
