@@ -10,7 +10,7 @@ from robots.models.description import load_description
 from tools.evaluate.scenes import episode_scene, read_episode_scene
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.rooms import BENCH
-from tools.evaluate.stopping.courses import BENCH_CYCLE, COURSES
+from tools.evaluate.stopping.courses import BENCH_CYCLE, COURSES, LOW_CYCLE
 from tools.evaluate.stopping.stop_episode import stop_orders
 
 SEEDS = range(30)
@@ -59,3 +59,13 @@ def test_stops_of_a_bench_come_to_every_phase_of_its_courses():
 
     assert sum(len(order.wanted) for order in orders) == 18
     assert {COURSES[order.course] for order in orders} == set(BENCH_CYCLE)
+
+
+def test_stops_before_a_low_table_are_of_what_a_small_body_does_there():
+    orders = stop_orders("stop", 31, 0, "g1", scene="low_tabletop")
+
+    assert sum(len(order.wanted) for order in orders) == 31
+    assert {COURSES[order.course] for order in orders} == set(LOW_CYCLE)
+    for order in orders[:5]:
+        scene = COURSES[order.course].script(order.seed).scene
+        assert all(piece.size_m[2] < 0.8 for piece in scene.furniture)

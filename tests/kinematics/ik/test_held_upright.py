@@ -6,7 +6,8 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import arm_kinematics
 from kinematics.ik.body_gaze import with_joints
-from kinematics.ik.held_upright import HeldInHand, arm_that_goes_along
+from kinematics.ik.gaze import in_picture
+from kinematics.ik.held_upright import HeldInHand, arm_beside, arm_that_goes_along
 from kinematics.model.robot_model import RobotModel
 from robots.models.description import load_description
 
@@ -77,3 +78,25 @@ def test_an_arm_that_cannot_says_so(model):
     q = model.q_home
 
     assert arm_that_goes_along(model, q, {BEND: 3.1}, "left", held_upright(model, q, "left")) is None
+
+
+@pytest.mark.parametrize("holds", [False, True])
+def test_beside_the_body_no_hand_is_in_the_picture(model, holds):
+    q, camera = model.q_home, model.description.camera
+    for hand in ("left", "right"):
+        held = held_upright(model, model.q_home, hand) if holds else None
+        arm = arm_beside(model, q, hand, held)
+        assert arm is not None
+        q = with_joints(q, model, arm)
+        assert held is None or tilt_rad(model, q, hand, held) <= 0.05
+
+    for posture, seen in ((model.q_home, True), (q, False)):
+        world_T_camera = model.frame_pose(posture, camera.frame)
+        hands = np.array(
+            [
+                model.frame_pose(posture, model.description.tcp_frames[hand])[:3, 3]
+                for hand in ("left", "right")
+            ]
+        )
+        shown = in_picture(hands, world_T_camera, camera.horizontal_fov_rad, camera.vertical_fov_rad)
+        assert shown.any() == seen

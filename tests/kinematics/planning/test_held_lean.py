@@ -1,0 +1,67 @@
+"""A way between two upright postures may lean what a hand holds, and is not taken where that is asked for."""
+
+import numpy as np
+import pytest
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
+from kinematics.model.robot_model import RobotModel
+from kinematics.model.stance import stance_at
+from kinematics.model.standing_robot import StandingRobot
+from kinematics.motion.curves import PolynomialCurve
+from kinematics.planning import move_planner
+from kinematics.planning.held_lean import leaned_rad
+from kinematics.requests.move import MovePlan, MoveRequest
+from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from kinematics.standing.free_coordinates import free_coordinates
+from robots.models.description import load_description
+
+ROLL = "right_wrist_roll_joint"
+
+
+@pytest.fixture(scope="module")
+def model():
+    return RobotModel(load_description("g1"))
+
+
+def holding(model):
+    frame = model.description.tcp_frames["right"]
+    upright = poses.transform(model.frame_pose(model.q_home, frame)[:3, :3].T, (0.0, 0.0, 0.0))
+    cup = SceneObject("cup", Cylinder(0.03, 0.1), upright)
+    links = model.description.grippers["right"].touch_links
+    return PlanningScene().with_objects([cup]).with_attached("cup", frame, upright, links)
+
+
+def there_and_back(model, rolled_rad):
+    """A curve that rolls the wrist and is at its beginning again in the end."""
+    space = free_coordinates(StandingRobot.of(model, stance_at(model, model.q_home)))
+    start = space.from_q(model.q_home)
+    rolled = start.copy()
+    rolled[space.index(ROLL)] += rolled_rad
+    return space, PolynomialCurve(np.array([start, rolled, start]))
+
+
+@pytest.mark.parametrize("rolled_rad", [0.2, 0.5])
+def test_a_lean_on_the_way_is_found(model, rolled_rad):
+    space, curve = there_and_back(model, rolled_rad)
+
+    # the forearm is not level: the roll turns the cup by a little less
+    assert leaned_rad(model, space, curve, holding(model)) == pytest.approx(rolled_rad, rel=0.1)
+
+
+def test_empty_hands_lean_nothing(model):
+    space, curve = there_and_back(model, 0.5)
+
+    assert leaned_rad(model, space, curve, PlanningScene()) == 0.0
+
+
+@pytest.mark.parametrize(("level", "answer"), [(True, NoPlan), (False, MovePlan)])
+def test_a_way_that_leans_it_is_no_way_where_that_is_asked_for(model, monkeypatch, level, answer):
+    monkeypatch.setattr(move_planner, "leaned_rad", lambda *_: 0.4)
+    stance = stance_at(model, model.q_home)
+    request = MoveRequest(
+        model.q_home, stance, holding(model), {"waist_yaw_joint": 0.2}, keep_others=True, level=level
+    )
+
+    assert isinstance(move_planner.plan_move(model, request), answer)
