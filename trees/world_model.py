@@ -72,6 +72,8 @@ class WorldModel:
         put_down: The objects that a hand of this robot has let go of, by name, until a hand takes them up
             again. Each is where a later look has shown it, or else where the hand let go of it.
         taken_from: Where each object stood, by name, that a hand holds or that this task has put down.
+        leans: Names of what a hand holds and nobody knows how far it leans there: fingers on a palm took it
+            steeply, which turns a thing, and looks do not show by how much.
         felt_widths: What fingers have felt of a thing's width, m, by its name, where that is another one
             than the camera tells; the newest counts.
         top_errors: How wrong the newest look at each piece of furniture may be, by its name; of a detector
@@ -92,6 +94,7 @@ class WorldModel:
         self.sent_to: str | None = None
         self.put_down: Mapping[str, SceneObject] = {}
         self.taken_from: Mapping[str, FormerPlace] = {}
+        self.leans: frozenset[str] = frozenset()
         self.felt_widths: Mapping[str, float] = {}
         self.top_errors: Mapping[str, PositionError] = {}
         self.felt_tops: Mapping[str, FeltTop] = {}
@@ -115,6 +118,7 @@ class WorldModel:
         self._reasons.clear()
         held = self._scene.attached
         self.taken_from = {name: origin for name, origin in self.taken_from.items() if name in held}
+        self.leans = self.leans & held.keys()
 
     def is_new_reason(self, because: str) -> bool:
         """Note why something was taken for what is meant; whether this task has not said so yet.

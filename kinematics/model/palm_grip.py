@@ -15,6 +15,13 @@ from kinematics.geometry.shapes import Box, Shape
 from kinematics.model.robot_description import GripperDescription
 
 _ALIGNED = 1e-9
+LEVEL_SINE = math.sin(math.radians(5.0))
+"""Of a hand that comes in: one that leans by less hardly turns what it closes on."""
+
+
+def is_steep(gripper: GripperDescription, world_T_tcp: Transform) -> bool:
+    """Whether a hand that closes there turns what stands between its fingers by nobody knows how much."""
+    return gripper.palm_side_m is not None and abs(float(world_T_tcp[2, 0])) > LEVEL_SINE
 
 
 def held(gripper: GripperDescription, tcp_T_object: Transform) -> Transform:

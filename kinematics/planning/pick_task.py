@@ -20,6 +20,7 @@ from kinematics.geometry import poses
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import DEFAULT_TOLERANCE
 from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
+from kinematics.model.palm_grip import LEVEL_SINE
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
@@ -42,8 +43,6 @@ CLEARANCE_COST = 0.5
 ENOUGH_CLEARANCE_M = 0.03
 BALANCE_COST = 0.5
 ENOUGH_BALANCE_M = 0.06
-# Of what fingers on a palm come along: what leans by less than this hardly turns what they close on.
-_LEVEL_SINE = math.sin(math.radians(5.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +153,7 @@ class PickTask(PlanningTask):
         """Rows of a table that are to be tried: all, or of fingers on a palm those that are level."""
         if not self._level or self._model.description.grippers[table.hand].palm_side_m is None:
             return list(range(len(table)))
-        level = np.abs(table.world_T_tcp[:, 2, 0]) <= _LEVEL_SINE
+        level = np.abs(table.world_T_tcp[:, 2, 0]) <= LEVEL_SINE
         return [int(row) for row in np.flatnonzero(level)]
 
     def _has_room(self, hand: Hand, places: Array) -> NDArray[np.bool_]:

@@ -7,6 +7,7 @@ from py_trees.composites import Sequence
 
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MoveRequest
+from trees.failures import Failure
 from trees.nodes.arrival import is_told_to_be_home
 from trees.nodes.clean_up import CleanUp
 from trees.nodes.contract import Contract
@@ -30,7 +31,7 @@ class GoHome(PlannedMotionLeaf):
         on_success="the robot holds the home posture",
     )
 
-    def goal(self) -> MoveRequest | GestureRequest | None:
+    def goal(self) -> MoveRequest | GestureRequest | Failure | None:
         """The home posture, unless it is commanded already."""
         return None if is_told_to_be_home(self.toolbox) else move_from_here(self.toolbox)
 

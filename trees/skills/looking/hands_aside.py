@@ -5,6 +5,7 @@ from __future__ import annotations
 from kinematics.ik.held_upright import arm_beside
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MoveRequest
+from trees.failures import Failure
 from trees.leaves.go_home import GoHome
 from trees.nodes.contract import Contract
 from trees.nodes.planned_motion_leaf import move_from_here
@@ -26,7 +27,7 @@ class HandsAside(GoHome):
         on_success="the robot holds that posture; what hands beside the body hold is upright",
     )
 
-    def goal(self) -> MoveRequest | GestureRequest | None:
+    def goal(self) -> MoveRequest | GestureRequest | Failure | None:
         """Home, or the arms beside the body; those that cannot get there go home."""
         toolbox, model = self.toolbox, self.toolbox.model
         if model.description.camera.trunk is None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from kinematics.geometry import poses
-from kinematics.model.palm_grip import held
+from kinematics.model.palm_grip import held, is_steep
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.support_of import support_of
 from trees.failures import Failure
@@ -46,6 +46,10 @@ class Attach(Leaf):
         world = self.toolbox.world
         before = world.scene.objects[target.name]
         support = support_of(before, world.scene, self.toolbox.policy.support_gap_m)
+        if is_steep(gripper, world_T_tcp):
+            world.leans |= {target.name}
+        else:
+            world.leans -= {target.name}
         world.update(
             world.scene.with_attached(target.name, gripper.tcp_frame, tcp_T_object, gripper.touch_links)
         )

@@ -73,9 +73,18 @@ class ReadyToWalk(GoHome):
         self._barred: Failure | None = None
         super().begin()
 
-    def goal(self) -> MoveRequest | GestureRequest | None:
-        """Home with empty hands; else the carrying posture, unless it is taken already."""
+    def goal(self) -> MoveRequest | GestureRequest | Failure | None:
+        """Home with empty hands; else the carrying posture, unless it is taken already.
+
+        Nobody walks with what leans in a hand by nobody knows how much.
+        """
         toolbox = self.toolbox
+        leaning = toolbox.world.leans & toolbox.world.scene.attached.keys()
+        if leaning:
+            names = " and ".join(f"the {name}" for name in sorted(leaning))
+            return Failure.infeasible(
+                f"{names} was taken steeply and may lean in the hand: a walk might spill it"
+            )
         if self._only_if_it_leans and _leans_by_at_most(UPRIGHT_RAD, toolbox.motion.reference()):
             return None
         held = held_object(toolbox, None, None)

@@ -61,3 +61,22 @@ def test_what_stood_aslant_in_fingers_that_close_on_a_palm_is_believed_along_the
 
     held = knowing.told.scene.attached["red cup"].frame_T_object
     np.testing.assert_allclose(held[:3, 2], [0.0, 0.0, 1.0], atol=1e-9)
+
+
+@pytest.mark.requirement("U4")
+@pytest.mark.parametrize(
+    ("palm", "sine", "leans"), [(True, 0.34, {"red cup"}), (True, 0.05, set()), (False, 0.34, set())]
+)
+def test_what_fingers_on_a_palm_took_steeply_may_lean(
+    knowing, planned, target, monkeypatch, palm, sine, leans
+):
+    planned.grip()
+    model = OnPalm(knowing.toolbox.model) if palm else knowing.toolbox.model
+    toolbox = dataclasses.replace(knowing.toolbox, model=model)
+    there = planned.grasp.world_T_tcp.copy()
+    there[2, 0] = -sine
+    monkeypatch.setattr(type(knowing.toolbox.model), "frame_pose", lambda *_: there)
+
+    knowing.run(Attach("attach", toolbox), grasp=planned.grasp, target=target, lift=planned.step("lift"))
+
+    assert toolbox.world.leans == leans

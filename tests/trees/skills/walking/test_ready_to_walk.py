@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from py_trees.common import Status
 
+from kinematics.geometry.shapes import Cylinder
 from kinematics.requests.step import NoPlan
+from kinematics.scene.planning_scene import SceneObject
 from trees.skills.walking.draw_arms_in import DrawArmsIn
 from trees.skills.walking.empty_arms import arms_are_tucked
 from trees.skills.walking.ready_to_walk import ReadyToWalk
@@ -55,3 +57,18 @@ def test_drawn_in_arms_stay_in_where_the_range_sensor_sees_something_beside(
     assert stage.run(ReadyToWalk("ready", stage.toolbox)) is Status.SUCCESS
     assert arms_are_tucked(stage.toolbox) is not come_out
     assert abs(stage.fake.motion.reference()[4]) < 1e-3
+
+
+@pytest.mark.parametrize("only_if_it_leans", [False, True])
+@pytest.mark.parametrize(("in_hand", "status"), [("red cup", Status.FAILURE), ("blue can", Status.SUCCESS)])
+def test_nobody_walks_with_what_may_lean_in_the_hand(stage, in_hand, status, only_if_it_leans):
+    frame = stage.toolbox.model.description.tcp_frames["right"]
+    thing = SceneObject(in_hand, Cylinder(0.03, 0.1), np.eye(4))
+    stage.told.update(stage.told.scene.with_object(thing).with_attached(in_hand, frame, np.eye(4), ()))
+    stage.toolbox.world.leans = frozenset({"red cup"})
+    leaf = ReadyToWalk("ready", stage.toolbox, only_if_it_leans=only_if_it_leans)
+
+    assert stage.run(leaf) is status
+    if status is Status.FAILURE:
+        assert "the red cup was taken steeply and may lean in the hand" in leaf.failure.message
+        assert not stage.fake.motion.started
