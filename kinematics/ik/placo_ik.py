@@ -8,6 +8,7 @@ nor balance to keep; its base stays at its mount.
 from __future__ import annotations
 
 import functools
+import math
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -41,7 +42,9 @@ def without_meshes(urdf: str) -> str:
 TCP_WEIGHTS = (100.0, 30.0)
 COM_WEIGHT = 1.0
 POSTURE_WEIGHT = 1e-3
-TRUNK_WEIGHT = 0.05
+# Ten times as much of the trunk keeps it upright over a pelvis that leans by 29 degrees: G1 found a quarter
+# of the level grasps over low tables. Without the pelvis's it leans by 20, with it by 5, and finds as many.
+TRUNK_WEIGHT, PELVIS_WEIGHT = 0.005, 0.01
 REGULARISATION = 1e-5
 # Who reaches far is at the limits of the trunk, and curves through a few solved points swing beyond them.
 SWING_RESERVE_RAD = 0.03
@@ -68,6 +71,7 @@ class PlacoIk:
             raise MissingPartError(description.name, f"{hand} hand")
         self._frame = description.tcp_frames[hand]
         margin = description.planning_margin_rad
+        self._least_upright = math.cos(description.lean_rad)
         reserve = 0.0 if description.welded else SWING_RESERVE_RAD
         self._lower, self._upper = model.lower_rad + margin, model.upper_rad - margin
         self._robot = placo.RobotWrapper(
@@ -97,6 +101,8 @@ class PlacoIk:
         if model.description.groups["torso"] and not model.description.welded:
             facing = poses.rotation_z(_heading(stance))
             solver.add_orientation_task(_trunk(model), facing).configure("trunk", "soft", TRUNK_WEIGHT)
+            pelvis = model.description.base_link
+            solver.add_orientation_task(pelvis, facing).configure("pelvis", "soft", PELVIS_WEIGHT)
         solver.add_regularization_task(REGULARISATION)
         return solver
 
@@ -168,12 +174,16 @@ class PlacoIk:
         feet = bool(self._legs.fill(q[None, :])[0])
         error, turn = errors_between(self._model.frame_pose(q, self._frame), world_T_tcp)
         joints = q[7:]
+        upright = self._model.description.welded or bool(
+            poses.rotation_from_quaternion(q[3:7])[2, 2] >= self._least_upright
+        )
         return IkResult(
             q=q,
             position_error_m=error,
             orientation_error_rad=turn,
             com_margin_m=self._polygon.com_margin_m(self._model.com(q)),
-            limits_kept=bool(np.all(joints >= self._lower - 1e-9) and np.all(joints <= self._upper + 1e-9)),
+            limits_kept=upright
+            and bool(np.all(joints >= self._lower - 1e-9) and np.all(joints <= self._upper + 1e-9)),
             feet_reached=feet,
             iterations=count,
         )
