@@ -27,14 +27,16 @@ def search(name: str, toolbox: Toolbox) -> Alternatives:
     of view, the head looks to both sides before one is chosen or a question is put: what was not in the first
     picture counts as well. What those looks have lost is looked for ahead once more. What is seen unsurely is
     looked at closer, then by all gazes, and in the end a person is asked whether it is the one. What none of
-    them shows, and was seen before, is looked for where that was. Eyes that nothing aims look once, and once
-    more before a choice is made.
+    them shows, and was seen before, is looked for where that was. Eyes that nothing aims look once, those on
+    a trunk to both sides as well where they see nothing, and once more before a choice is made.
     """
     policy, survey = toolbox.policy, toolbox.policy.survey_gazes
     upright, *others = policy.search_gazes
     first, upright = replace(upright, lean_rad=policy.first_lean_rad), replace(upright, name="far ahead")
     if toolbox.model.description.camera.fixed:
-        looks = [_look(first, toolbox, "first"), _look(survey[-1], toolbox, "last")]
+        aside = [gaze for gaze in others if gaze.pan_rad] if toolbox.model.description.camera.aims else []
+        looks = [_look(gaze, toolbox, "first") for gaze in (first, *aside)]
+        looks.append(_look(survey[-1], toolbox, "last"))
         looks.append(_look_at_it("before asking", toolbox, "asking"))
         return Alternatives(name, looks, looking_elsewhere_is_useless, as_needed)
     looks = [_look(gaze, toolbox, "first") for gaze in (first, *others, upright, policy.last_gaze)]
