@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, arm_share
 from kinematics.ik.arm_posture import arm_posture
@@ -26,7 +26,7 @@ _PLACE_WEIGHT, _HAND_WEIGHT = 0.2, 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class HeldInHand:
+class HeldInHand(Sealed):
     """Where a held object is, by the hand's places."""
 
     tcp_T_object: poses.Transform
