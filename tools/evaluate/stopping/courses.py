@@ -226,7 +226,7 @@ LOW_WALKING = replace(
     WALKING, name="walk of a small body", script=_of_trial(lambda rng: stop_trial(rng, LOW_PACES))
 )
 LOW_GESTURE = replace(GESTURE, name="wave, point at a low table", script=_low_gesture)
-LOW_CYCLE = (LOW_PICK, LOW_PLACING, LOW_WALKING, LOW_MOVED, LOW_GESTURE, *(LOW_PICK, LOW_MOVED) * 2)
+LOW_CYCLE = (LOW_WALKING, *(LOW_PICK, LOW_PLACING, LOW_MOVED, LOW_GESTURE) * 2)
 """Of a humanoid of a child's size."""
 
 CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
