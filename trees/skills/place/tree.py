@@ -64,9 +64,16 @@ def place(toolbox: Toolbox) -> Behaviour:
         HandsAside("clear the view", toolbox),
         look_over(toolbox),
         BestEffort(LookAtPlacement("look", toolbox)),
-        VerifyPlaced("verify placed", toolbox, toolbox.policy.of(PlaceSettings).placed_tolerance_m),
+        VerifyPlaced("verify placed", toolbox, _seen_within_m(toolbox)),
     ]
     return tidily("place", children, toolbox)
+
+
+def _seen_within_m(toolbox: Toolbox) -> float:
+    """How near to its spot a thing is to be seen for it to be told as placed."""
+    settings, grippers = toolbox.policy.of(PlaceSettings), toolbox.model.description.grippers
+    pushes = any(gripper.palm_side_m is not None for gripper in grippers.values())
+    return settings.placed_tolerance_m - (settings.seen_error_m if pushes else 0.0)
 
 
 def over_the_spot(toolbox: Toolbox) -> list[Behaviour]:
