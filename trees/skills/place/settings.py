@@ -15,9 +15,9 @@ class PlaceSettings:
         further_m: How much farther down each further step goes when nothing was touched.
         shifted_m: What is seen so far from where the hand should have it has shifted in the hand; a bias
             of 5 mm that turns with the hand looks like 7 mm.
-        placed_tolerance_m: A placed object is seen this near to where it was meant to stand,
-        seen_error_m: and nearer by this where fingers on a palm have pushed it as they opened: it may then be
-            anywhere about there, and what is seen errs by so much.
+        placed_tolerance_m: A placed object is seen this near to where it was meant to stand.
+        seen_error_m: Kept of that tolerance where fingers on a palm push an object as they open: it may then
+            stand anywhere about there, and a look errs by so much.
     """
 
     rest_s: float = 0.3
