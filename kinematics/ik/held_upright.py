@@ -13,6 +13,7 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.ik.arm_frames import ArmFrames, arm_kinematics, arm_share
 from kinematics.ik.arm_posture import arm_posture
+from kinematics.ik.body_gaze import with_joints
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 
@@ -21,7 +22,7 @@ BESIDE_M = (0.22, 0.36, 0.30)
 """Where a hand is that is in nobody's way, from its shoulder: ahead, outwards, down; of TALOS's arm."""
 _TILT_RAD = 0.05
 _LIES_RAD = math.radians(35.0)
-# A centimetre beside its place, and a hand turned by half a degree, count as a degree of tilt.
+# Nine centimetres beside its place, or a hand that is turned by 20 degrees, count as a degree of tilt.
 _PLACE_WEIGHT, _HAND_WEIGHT = 0.2, 0.05
 
 
@@ -68,9 +69,7 @@ def arm_that_goes_along(
     """
     arm, held = arm_kinematics(model, hand, trunk=False), HeldInHand(tcp_T_object)
     before = arm.at(q)
-    moved = q.copy()
-    for joint, angle in joints.items():
-        moved[7 + model.joint_index(joint)] = angle
+    moved = with_joints(q, model, joints)
     after = arm.at(moved)
     turn = poses.rotation_z(float(after.heading_rad[0] - before.heading_rad[0]))
     place = after.shoulder_m[0] + turn @ (held.places_m(before)[0] - before.shoulder_m[0])

@@ -1,5 +1,7 @@
 """Over a low table the trunk leans, not the pelvis alone: G1 gets everywhere to what stands near the edge."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -35,3 +37,12 @@ def test_a_level_hand_gets_there_with_a_pelvis_that_hardly_leans(robot, ahead_m,
     assert len(found) >= 3
     assert np.median(found) < np.radians(15.0)
     assert max(found) <= robot.model.description.lean_rad
+
+
+def test_no_answer_leans_farther_than_the_robot_may(robot):
+    place = poses.transform(np.eye(3), (0.36, 0.18, 0.72))
+    strict = RobotModel(dataclasses.replace(robot.model.description, lean_rad=0.01))
+    upright = StandingRobot.of(strict, stance_at(strict, strict.q_home))
+
+    assert inverse_kinematics(robot, "left").solve(place, robot.q_home).within(DEFAULT_TOLERANCE)
+    assert not inverse_kinematics(upright, "left").solve(place, upright.q_home).within(DEFAULT_TOLERANCE)

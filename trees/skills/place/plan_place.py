@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from py_trees.ports import PortInformation
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.model.stance import Stance
 from kinematics.requests.place import PlacePlan, PlaceRequest, Spot
 from trees.beliefs.scene.held_object import HeldObject
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Placement, Step
+from trees.toolbox import Toolbox
 
 
 class PlanPlace(PlanningLeaf[PlacePlan]):
@@ -30,14 +33,9 @@ class PlanPlace(PlanningLeaf[PlacePlan]):
         """Every spot but those that turned out to be blocked."""
         toolbox, blocked = self.toolbox, self.get_input("blocked")
         self._spots = tuple(spot for spot in self.get_input("spots") if _key(spot) not in blocked)
-        return PlaceRequest(
-            q_start=toolbox.motion.reference(),
-            stance=toolbox.motion.stance(),
-            scene=toolbox.world.scene,
-            held=self.get_input("held").name,
-            spots=self._spots,
-            retreat_m=toolbox.policy.retreat_m,
-            seed=int(toolbox.rng.integers(2**31)),
+        motion = toolbox.motion
+        return place_request(
+            toolbox, self.get_input("held"), self._spots, motion.reference(), motion.stance()
         )
 
     def planned(self, plan: PlacePlan) -> None:
@@ -50,6 +48,30 @@ class PlanPlace(PlanningLeaf[PlacePlan]):
         self.feedback_message = f"to {x:.2f}, {y:+.2f} m"
         yaw = poses.yaw_of(plan.world_T_object[:3, :3])
         self.measured(spot=plan.spot, considered=plan.considered, x_m=x, y_m=y, z_m=z, yaw_rad=yaw)
+
+
+def place_request(
+    toolbox: Toolbox, held: HeldObject, spots: tuple[Spot, ...], q: Array, stance: Stance, quick: bool = False
+) -> PlaceRequest:
+    """Ask for a placing amid what is believed.
+
+    Args:
+        toolbox: Knows that, and deals the seed.
+        held: What is to be put down.
+        spots: Where it could be.
+        q, stance: From which posture, shape (nq,), and on which feet.
+        quick: As for ``PlaceRequest``.
+    """
+    return PlaceRequest(
+        q_start=q,
+        stance=stance,
+        scene=toolbox.world.scene,
+        held=held.name,
+        spots=spots,
+        retreat_m=toolbox.policy.retreat_m,
+        quick=quick,
+        seed=int(toolbox.rng.integers(2**31)),
+    )
 
 
 def _key(spot: Spot) -> tuple[float, float]:

@@ -21,6 +21,7 @@ from trees.nodes.leaf import DONE, Leaf, rewired
 from trees.nodes.ports import ports
 from trees.registry import task_that
 from trees.skill import After
+from trees.skills.place.plan_place import place_request
 from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walk_to.tree import find_place, walks
 from trees.skills.walking.reachable_standing import Stand, StandingRoom, posture_at
@@ -100,17 +101,9 @@ class ChooseStandToPlace(ChooseStand):
 
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
-        toolbox = self.toolbox
-        return PlaceRequest(
-            q_start=posture_at(toolbox.motion.reference(), self._here, body),
-            stance=stance,
-            scene=toolbox.world.scene,
-            held=self.get_input("held").name,
-            spots=tuple(self.get_input("spots")[:_SPOTS]),
-            retreat_m=toolbox.policy.retreat_m,
-            quick=True,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        q = posture_at(self.toolbox.motion.reference(), self._here, body)
+        spots = tuple(self.get_input("spots")[:_SPOTS])
+        return place_request(self.toolbox, self.get_input("held"), spots, q, stance, quick=True)
 
     def without_any(self) -> Status | Failure:
         """Nobody walks to where nothing can be done."""

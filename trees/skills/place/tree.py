@@ -1,7 +1,7 @@
 """Put an object down: find room, plan, check, bring it there, lower it until it stands, let go, look.
 
-Where this hand does not reach, it is put down on the way and taken up with the other one; fingers on a palm,
-whose level grasps hardly share a spot, are walked there instead.
+Where this hand does not reach, it is put down on the way and taken up with the other one. A robot whose
+fingers close on a palm, which has to hold it level, first walks to where the same hand reaches.
 """
 
 from __future__ import annotations

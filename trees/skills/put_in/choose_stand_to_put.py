@@ -22,6 +22,7 @@ from trees.failures import Failure
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
+from trees.skills.place.plan_place import place_request
 from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walking.reachable_standing import (
     EYE_AHEAD_M,
@@ -133,17 +134,9 @@ class ChooseStandToPut(ChooseStand):
 
     def request(self, body: PlanarPose, stance: Stance) -> PlaceRequest:
         """The present posture, carried over to the place."""
-        toolbox = self.toolbox
-        return PlaceRequest(
-            q_start=posture_at(toolbox.motion.reference(), self._here, body),
-            stance=stance,
-            scene=toolbox.world.scene,
-            held=self.get_input("held").name,
-            spots=tuple(few_of_each(self._in_sight(body) or self._spots)),
-            retreat_m=toolbox.policy.retreat_m,
-            quick=self._quick,
-            seed=int(toolbox.rng.integers(2**31)),
-        )
+        q = posture_at(self.toolbox.motion.reference(), self._here, body)
+        spots = tuple(few_of_each(self._in_sight(body) or self._spots))
+        return place_request(self.toolbox, self.get_input("held"), spots, q, stance, quick=self._quick)
 
     def _shoulder(self) -> PlanarPose:
         """Of the arm that holds it, from the middle between the feet of the home posture."""
