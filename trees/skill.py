@@ -56,7 +56,6 @@ class Need(Enum):
 
     HAND = "a hand that grips"
     BARS = "a hand that grips handles"
-    PUTS_IN = "a hand that goes over a rim"
     TIPS = "a hand that presses with closed fingertips"
     ARM = "an arm"
     LEGS = "feet"

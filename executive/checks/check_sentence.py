@@ -15,7 +15,7 @@ from executive.exit_codes import ExitCode
 from executive.meaning import StopCommand, wording
 from executive.references import references
 from executive.reports.check_report import CheckReport, MotionVerdict, Outcome
-from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.runs.run_request import DEFAULT_ROBOT
 from executive.scripts.task_script import script_for
 from executive.session.task_result import TaskResult, chain
 from executive.trust import USUAL_TRUST, OnQuestion, Trust
@@ -26,6 +26,7 @@ from kinematics.requests.pick import PickPlan
 from kinematics.requests.request import Request
 from robots.clock import WallClock
 from robots.models.description import load_robot_for_tasks
+from robots.models.usual_scene import usual_scene
 from robots.scenes.scene_description import SceneDescription
 from robots.scenes.scene_file import load_scene
 from trees.beliefs.grounding.report_words import kinds_in
@@ -72,8 +73,9 @@ def rehearse(
         UserError: The script cannot be one.
         RobotsError: There is no such robot or scene.
     """
-    script = script_for(text, trust, scene)
-    robot, scene = robot or script.robot or DEFAULT_ROBOT, scene or script.scene or DEFAULT_SCENE
+    script = script_for(text, trust, scene, robot)
+    robot = robot or script.robot or DEFAULT_ROBOT
+    scene = scene or script.scene or usual_scene(robot)
     seed = next(value for value in (seed, script.seed, 0) if value is not None)
     world = load_scene(scene)
     statements = script.statements if front is None else _proposed(front, script.statements)

@@ -60,19 +60,21 @@ def warm_up(tell: Callable[[str], None] = lambda _: None) -> str:
     Args:
         tell: Is told what is being done while it takes long.
     """
-    from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+    from executive.runs.run_request import DEFAULT_ROBOT
     from executive.session.assembly import assemble
     from executive.understanding.command_parser import parse
     from kinematics.compiled import cache
+    from robots.models.usual_scene import usual_scene
     from robots.scenes.scene_file import load_scene
 
     cache.drop_damaged()
     compile_kernel(tell)
     tell("one task, for everything else")
-    assembly = assemble(DEFAULT_ROBOT, load_scene(DEFAULT_SCENE), 0)
+    scene = usual_scene(DEFAULT_ROBOT)
+    assembly = assemble(DEFAULT_ROBOT, load_scene(scene), 0)
     (command,) = parse(_WARMING_TASK).commands
     result = assembly.session.run_task(command)
-    return f"warm: {DEFAULT_ROBOT} in {DEFAULT_SCENE}, {result.outcome}: {_WARMING_TASK}"
+    return f"warm: {DEFAULT_ROBOT} in {scene}, {result.outcome}: {_WARMING_TASK}"
 
 
 def compile_kernel(tell: Callable[[str], None] = lambda _: None) -> None:

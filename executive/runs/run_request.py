@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from robots.perception.labels.asking import AskAboutPictures
 
 DEFAULT_ROBOT = "talos"
-DEFAULT_SCENE = "tabletop"
 
 
 @dataclass(frozen=True, slots=True)

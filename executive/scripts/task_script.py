@@ -15,6 +15,7 @@ from executive.understanding.conversation import Conversation
 from executive.understanding.spoken_in import spoken_in
 from executive.understanding.statement import Statement
 from executive.understanding.understanding import understand
+from robots.models.usual_scene import usual_scene
 from robots.toml_text import TomlTextError, read_toml
 
 if TYPE_CHECKING:  # one sentence needs no script's layout
@@ -45,20 +46,23 @@ def is_script(argument: str) -> bool:
         return False
 
 
-def script_for(argument: str, trust: Trust = USUAL_TRUST, scene: str | None = None) -> TaskScript:
+def script_for(
+    argument: str, trust: Trust = USUAL_TRUST, scene: str | None = None, robot: str | None = None
+) -> TaskScript:
     """What an argument of the command line asks for: a script's statements, or one statement.
 
     Args:
         argument: A sentence, or the path of a script.
         trust: How far a model's output is trusted.
         scene: Where it is said; None where the script says, if anywhere.
+        robot: Who hears a sentence that nobody said the place of.
 
     Raises:
         ScriptError: It names a script that cannot be one.
         SceneError: There is no such scene.
     """
     if not is_script(argument):
-        with spoken_in(scene):
+        with spoken_in(scene or (None if robot is None else usual_scene(robot))):
             return TaskScript((Statement.of(understand(argument, trust)),))
     return load_script(Path(argument), trust, lambda own: spoken_in(scene or own))
 

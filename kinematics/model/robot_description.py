@@ -119,7 +119,6 @@ class GripperDescription:
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
-        cannot_put_in: Why it puts nothing into what has a rim; empty when it does.
     """
 
     hand: Hand
@@ -155,7 +154,6 @@ class GripperDescription:
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     cannot_grip_bars: str = ""
-    cannot_put_in: str = ""
 
     @property
     def joints(self) -> tuple[str, ...]:

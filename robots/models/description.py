@@ -386,7 +386,6 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
         cannot_grip_bars=table.cannot_grip_bars,
-        cannot_put_in=table.cannot_put_in,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )
 

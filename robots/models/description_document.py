@@ -15,6 +15,7 @@ from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
 from robots.interface.depth_camera import DepthCamera
 from robots.interface.hardware import HealthLimits, SensorNoise, WalkingGains
+from robots.models.usual_scene import USUAL_SCENE
 from robots.strict_table import AsTable, Pair, StrictTable, Text, Triple, said
 
 Of = TypeVar("Of")
@@ -51,6 +52,7 @@ class BodyTable(StrictTable):
     mount_rpy_rad: Triple = (0.0, 0.0, 0.0)
     reach_m: FiniteFloat = 1.15
     foot_sensors: bool = True
+    scene: Text = USUAL_SCENE
 
 
 class LimitsTable(StrictTable):
@@ -192,7 +194,6 @@ class GripperTable(StrictTable):
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     cannot_grip_bars: str = ""
-    cannot_put_in: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4
     arrived_rad: FiniteFloat = 0.03

@@ -7,6 +7,7 @@ import pytest
 
 from kinematics.geometry.shapes import Box
 from robots.models.description import load_description
+from tools.evaluate.__main__ import own_scene
 from tools.evaluate.scenes import episode_scene, read_episode_scene
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.rooms import BENCH
@@ -69,3 +70,18 @@ def test_stops_before_a_low_table_are_of_what_a_small_body_does_there():
     for order in orders[:5]:
         scene = COURSES[order.course].script(order.seed).scene
         assert all(piece.size_m[2] < 0.8 for piece in scene.furniture)
+
+
+@pytest.mark.parametrize(
+    ("suite", "robot", "scene"),
+    [
+        ("pick", "talos", None),
+        ("pick", "g1", "low_tabletop"),
+        ("place", "panda", "bench"),
+        ("open", "panda", "bench_drawers"),
+        ("hand_over", "panda", None),
+        ("things", "g1", None),
+    ],
+)
+def test_a_suite_is_drawn_before_furniture_of_the_robots_own_size(suite, robot, scene):
+    assert own_scene(suite, robot) == scene

@@ -11,7 +11,6 @@ from trees.registry import skill_called
 from trees.skill import Need
 
 NO_BARS = "how fingers that press against a palm take hold of a bar is not known"
-NO_RIM = "it lies along what it holds, and is lower than a rim before that stands"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -54,7 +53,7 @@ UPRIGHT = "eyes that aim while it walks; g1 aims by its trunk, which has to stay
         ("g1", "pick", []),
         ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
         ("g1", "place", []),
-        ("g1", "put_in", [f"a hand that goes over a rim; {NO_RIM}"]),
+        ("g1", "put_in", []),
         ("g1", "walk_to", []),
         ("panda", "open", []),
         ("panda", "place", []),

@@ -107,6 +107,7 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
             "pick up the red box on the table",
             "put the blue cup next to the red box",
             "walk to the table",
+            "pick up the red bottle on the table",
         ),
         "bench_clutter": ("put the red cup into the bowl", "what is on the table?"),
         "bench_drawers": ("open the drawer and close it",),

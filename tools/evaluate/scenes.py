@@ -15,6 +15,7 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder, Shape
 from robots.errors import SceneError
+from robots.models.usual_scene import usual_scene
 from robots.scenes.scene_description import (
     Furniture,
     PerceptionModel,
@@ -63,6 +64,12 @@ _DRAWS = 50
 _OTHER_COLORS = ("blue", "green", "yellow", "white", "black")
 # Between two cups that stand too close for fingers.
 TOO_CLOSE_M = (0.001, 0.006)
+
+
+def workspace_of(robot: str) -> str | None:
+    """The scene of a robot's own size that random ones are made like; None where that is the usual table."""
+    scene = usual_scene(robot)
+    return scene if scene in (BENCH, LOW_TABLE) else None
 
 
 def sentence_for(scene: SceneDescription) -> str:

@@ -13,6 +13,7 @@ import typer
 
 from executive.cli.commands.choices import (
     REAL_PACE,
+    SCENE_OF_THE_ROBOT,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
@@ -30,7 +31,7 @@ from executive.cli.own_service import serve_meanwhile
 from executive.cli.standard_streams import sayable
 from executive.config import runtime_directory, state_directory, use_config
 from executive.exit_codes import ExitCode
-from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.runs.run_request import DEFAULT_ROBOT
 from executive.trust import THRESHOLD
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def chat(
         typer.Option(
             metavar="NAME|FILE.toml|FILE.xml",
             help="Where.",
-            show_default=DEFAULT_SCENE,
+            show_default=SCENE_OF_THE_ROBOT,
             callback=scene_given,
         ),
     ] = None,

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from executive.cli.commands.choices import (
+    SCENE_OF_THE_ROBOT,
     ConfidenceOption,
     ConfigOption,
     ModelOption,
@@ -25,7 +26,7 @@ from executive.cli.commands.choices import (
 )
 from executive.config import use_config
 from executive.errors import NotWritableError
-from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.runs.run_request import DEFAULT_ROBOT
 from executive.trust import THRESHOLD, Trust
 
 
@@ -46,7 +47,7 @@ def check(
         typer.Option(
             metavar="NAME|FILE.toml|FILE.xml",
             help="Where.",
-            show_default=f"{DEFAULT_SCENE}; for a trajectory the TOML file beside it",
+            show_default=f"{SCENE_OF_THE_ROBOT}; for a trajectory the TOML file beside it",
             callback=scene_given,
         ),
     ] = None,

@@ -10,6 +10,8 @@ from typing import Annotated
 
 import typer
 
+from robots.models.usual_scene import USUAL_SCENE
+
 
 def number_from(low: float, high: float) -> Callable[[str | float], float]:
     """A reader of numbers in a range; typer hands it defaults as numbers."""
@@ -149,6 +151,8 @@ def scene_given(value: str | None) -> str | None:
 
 
 FOREIGN_SCENES = (".xml", ".mjcf", ".urdf")
+
+SCENE_OF_THE_ROBOT = f"the robot's own; {USUAL_SCENE} for most"
 
 PerceptionOption = Annotated[
     PerceptionChoice | None,

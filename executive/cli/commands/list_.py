@@ -8,7 +8,9 @@ from typing import Annotated
 
 import typer
 
-from executive.runs.run_request import DEFAULT_SCENE
+from executive.cli.commands.choices import SCENE_OF_THE_ROBOT
+from executive.runs.run_request import DEFAULT_ROBOT
+from robots.models.usual_scene import usual_scene
 
 _TOLD = "*"
 """Marks what perception can tell."""
@@ -26,14 +28,19 @@ class What(StrEnum):
 def list_(
     what: Annotated[What, typer.Argument(help="What to list.")],
     scene: Annotated[
-        str,
+        str | None,
         typer.Option(
-            metavar="NAME|FILE.toml", help="Of words: mark what the robot's perception can tell there."
+            metavar="NAME|FILE.toml",
+            help="Of words: mark what the robot's perception can tell there.",
+            show_default=SCENE_OF_THE_ROBOT,
         ),
-    ] = DEFAULT_SCENE,
+    ] = None,
     robot: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Of skills: tell which of them this robot lacks something for."),
+        typer.Option(
+            metavar="NAME",
+            help="Of skills: tell which of them this robot lacks something for; of words: whose scene.",
+        ),
     ] = None,
 ) -> None:
     """List robots, scenes, skills or words."""
@@ -41,7 +48,7 @@ def list_(
         typer.echo(line)
 
 
-def _lines(what: What, scene: str = DEFAULT_SCENE, robot: str | None = None) -> Iterator[str]:
+def _lines(what: What, scene: str | None = None, robot: str | None = None) -> Iterator[str]:
     match what:
         case What.ROBOTS:
             from robots.outside import known_robots
@@ -56,7 +63,7 @@ def _lines(what: What, scene: str = DEFAULT_SCENE, robot: str | None = None) -> 
         case What.SKILLS:
             yield from _skills(robot)
         case What.WORDS:
-            yield from _words(scene)
+            yield from _words(scene or usual_scene(robot or DEFAULT_ROBOT))
 
 
 def _skills(robot: str | None) -> Iterator[str]:

@@ -13,6 +13,7 @@ import typer
 from executive.cli.commands.choices import (
     GROOT_PORT,
     LOOPBACK,
+    SCENE_OF_THE_ROBOT,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
@@ -40,7 +41,7 @@ from executive.cli.commands.choices import (
 from executive.cli.own_service import serve_meanwhile
 from executive.cli.standard_streams import tell_result
 from executive.config import runs_directory, use_config
-from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE, RunRequest
+from executive.runs.run_request import DEFAULT_ROBOT, RunRequest
 from executive.trust import THRESHOLD, Trust
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def run(
         typer.Option(
             metavar="NAME|FILE.toml|FILE.xml",
             help="Where.",
-            show_default=DEFAULT_SCENE,
+            show_default=SCENE_OF_THE_ROBOT,
             callback=scene_given,
         ),
     ] = None,
@@ -116,10 +117,11 @@ def run(
     from executive.runs.run_search import note_folder
     from executive.scripts.task_script import is_script, script_for
     from executive.session.cancellation import Cancellation
+    from robots.models.usual_scene import usual_scene
 
     use_config(config)
     trust = Trust(confidence, policy.value)
-    script = script_for(text, trust, scene)
+    script = script_for(text, trust, scene, robot)
     if panel and video is None:
         raise typer.BadParameter("--panel stands beside the picture of --video FILE.mp4")
     doors = ["--ros"] * ros + ["--view"] * view + ["--groot"] * groot
@@ -157,11 +159,12 @@ def run(
         from executive.doors.model.front_model import front_model
 
         front, asker = front_model(model, trust, reads_back=not yes)
+    machine = robot or script.robot or DEFAULT_ROBOT
     request = RunRequest(
         input=text,
         statements=script.statements,
-        robot=robot or script.robot or DEFAULT_ROBOT,
-        scene=scene or script.scene or DEFAULT_SCENE,
+        robot=machine,
+        scene=scene or script.scene or usual_scene(machine),
         seed=next(value for value in (seed, script.seed, 0) if value is not None),
         record=record or runs_directory(),
         keep_trajectories=record is not None,

@@ -14,6 +14,7 @@ from executive.cli.commands.choices import (
     GROOT_PORT,
     LOOPBACK,
     REAL_PACE,
+    SCENE_OF_THE_ROBOT,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
@@ -43,7 +44,7 @@ from executive.config import (
     runtime_directory,
     use_config,
 )
-from executive.runs.run_request import DEFAULT_ROBOT, DEFAULT_SCENE
+from executive.runs.run_request import DEFAULT_ROBOT
 from executive.trust import THRESHOLD, Trust
 
 
@@ -52,8 +53,14 @@ def serve(
         str, typer.Option(help="Name of the robot, or its folder.", callback=robot_name)
     ] = DEFAULT_ROBOT,
     scene: Annotated[
-        str, typer.Option(metavar="NAME|FILE.toml|FILE.xml", help="Where.", callback=scene_given)
-    ] = DEFAULT_SCENE,
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE.toml|FILE.xml",
+            help="Where.",
+            show_default=SCENE_OF_THE_ROBOT,
+            callback=scene_given,
+        ),
+    ] = None,
     perception: PerceptionOption = None,
     seed: Annotated[
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")
@@ -100,6 +107,7 @@ def serve(
     from executive.runs.run_search import note_folder
     from executive.understanding.command_parser import parser_with
     from robots.models.description import load_robot_for_tasks
+    from robots.models.usual_scene import usual_scene
     from robots.outside import known_scenes
     from robots.scenes.scene_file import load_scene
 
@@ -125,6 +133,7 @@ def serve(
 
     leave_opengl_to_the_renderer()
     machine = load_robot_for_tasks(robot)
+    scene = scene or usual_scene(robot)
     seen_by = None if perception is None else perception.value
     if body is None and load_scene(scene).seen_by(seen_by).perception.kind == "rgbd":
         from robots.simulated.camera.camera_perception import require_camera

@@ -481,7 +481,7 @@ def test_the_skills_of_a_robot_are_listed_with_what_it_lacks_for_the_others(exec
 )
 @pytest.mark.parametrize("command", ["run", "check"])
 def test_what_a_robot_has_no_part_for_is_refused_by_naming_the_part(executive, command, text, says):
-    result = executive(command, text, "--robot", "panda", "--scene", "bench")
+    result = executive(command, text, "--robot", "panda")
 
     assert result.exit_code == 1
     assert says in result.output

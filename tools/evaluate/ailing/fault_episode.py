@@ -15,8 +15,8 @@ from executive.understanding.command_parser import parse
 from robots.control.events import HealthChanged
 from tools.evaluate.ailing.body_fault import BODY_FAULTS, BodyFault, struck_joint
 from tools.evaluate.ailing.fault_record import FaultRecord
-from tools.evaluate.scenes import TARGET, episode_rng
-from tools.evaluate.stopping.courses import PICK, CourseRun, phase_of
+from tools.evaluate.scenes import TARGET, episode_rng, workspace_of
+from tools.evaluate.stopping.courses import PICKS, CourseRun, phase_of
 from trees.events import NodeChanged
 
 WHEN_S = (0.5, 14.0)
@@ -64,7 +64,7 @@ class _Episode:
         self._order, self._standing = order, standing
         rng = episode_rng(order.seed, 4)
         self._fault: BodyFault = BODY_FAULTS[order.fault]
-        self._run = CourseRun(PICK, order.seed, order.robot, self._take)
+        self._run = CourseRun(PICKS[workspace_of(order.robot)], order.seed, order.robot, self._take)
         assembly = self._run.assembly
         description, hardware = assembly.model.description, assembly.world.robot.hardware
         joint = struck_joint(description, rng)

@@ -17,7 +17,7 @@ from robots.clock import WallClock
 from robots.live.wire.errors import LiveError, NotServedError
 from robots.live.wire.messages import GetStatus, Hello, Shutdown, write_control_message, write_message
 from robots.live.wire.state_slot import StateSlotReader
-from tools.evaluate.scenes import SENTENCE, pick_scene
+from tools.evaluate.scenes import SENTENCE, episode_scene, workspace_of
 
 OPEN_FLOOR = "robot_start = { x_m = 0.0, y_m = 0.0, yaw_rad = 0.0 }\n"
 """A scene with nothing in it."""
@@ -67,7 +67,7 @@ class ServedRobot:
             LiveError: It cannot be served.
         """
         file = folder / "scene.toml"
-        file.write_text(pick_scene(seed, None) if scene is None else scene, "utf-8")
+        file.write_text(episode_scene(seed, None, workspace_of(robot)) if scene is None else scene, "utf-8")
         self._wall = WallClock()
         self.pace, self.runs = pace, folder / "runs"
         request = ServiceRequest(

@@ -6,9 +6,10 @@ A skill joins by one course in ``CYCLE``, and by its places in ``PHASES``.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from types import MappingProxyType
 
 import numpy as np
 
@@ -232,6 +233,9 @@ LOW_CYCLE = (LOW_WALKING, *(LOW_PICK, LOW_PLACING, LOW_MOVED, LOW_GESTURE) * 2)
 CYCLE = (PICK, PLACING, WALKING, OPENING, MOVED, GESTURE, *(PICK, MOVED) * 3)
 """Runs of one evaluation, over and over: each phase in a fifteenth of the instants, and an arm moves in more
 than seven of ten."""
+
+PICKS: Mapping[str | None, Course] = MappingProxyType({None: PICK, BENCH: BENCH_PICK, LOW_TABLE: LOW_PICK})
+"""Of picking, by the scene of the robot's own size; None is the usual table."""
 
 CYCLES = {BENCH: BENCH_CYCLE, LOW_TABLE: LOW_CYCLE}
 """By the scene that is named; any other has ``CYCLE``."""

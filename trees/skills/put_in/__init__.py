@@ -28,6 +28,6 @@ SKILL = Skill(
     example="put the can in the box",
     verb="put",
     toward="in",
-    needs=frozenset({Need.HAND, Need.PUTS_IN}),
+    needs=frozenset({Need.HAND}),
     before=frozenset({Before.THING_AT_HAND, Before.THING_HELD, Before.AT_GOAL, Before.GOAL_OPEN}),
 )
