@@ -118,6 +118,7 @@ class GripperDescription:
         side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
+        around_m: What is deeper along the fingers they do not close around; infinite for pads.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
     """
 
@@ -153,6 +154,7 @@ class GripperDescription:
     felt_n: float = 6.0
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
+    around_m: float = math.inf
     cannot_grip_bars: str = ""
 
     @property

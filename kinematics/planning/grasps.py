@@ -123,6 +123,16 @@ def least_width_m(item: SceneObject) -> float:
     return float(min(size for axis, size in enumerate(item.shape.size_m) if axis != upright))
 
 
+def least_depth_m(item: SceneObject, gripper: GripperDescription) -> float:
+    """How deep along the fingers an upright box is where they open so far; infinite where they do not."""
+    if not isinstance(item.shape, Box):
+        return 2.0 * item.shape.radius_m
+    upright = int(np.argmax(np.abs(item.world_T_object[2, :3])))
+    one, other = (size for axis, size in enumerate(item.shape.size_m) if axis != upright)
+    widest = widest_between_pads_m(gripper)
+    return min((b for a, b in ((one, other), (other, one)) if a <= widest), default=math.inf)
+
+
 def grasp_table(
     item: SceneObject,
     gripper: GripperDescription,
@@ -272,7 +282,8 @@ def _box_places(
         turned, turn = _parallel_to(axes[:, edge], rotations)
         half_depth = 0.5 * size[3 - edge - upward]
         depths = [_reach_in(size[upward], at, half_depth, tilt, gripper) for tilt, at in kinds]
-        held[:, k] = [depth is not None for depth in depths]
+        goes_around = 2.0 * half_depth <= gripper.around_m
+        held[:, k] = [depth is not None and goes_around for depth in depths]
         places[:, :, k, :, :3, 3] = item.world_T_object[:3, 3]
         places[:, :, k, :, 2, 3] += np.array([depth or 0.0 for depth in depths])[:, None]
         places[:, :, k, 0, :3, :3], places[:, :, k, 1, :3, :3] = turned, turned * _HALF_TURN

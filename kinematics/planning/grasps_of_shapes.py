@@ -10,7 +10,14 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.model.robot_description import GripperDescription
-from kinematics.planning.grasps import GraspTable, grasp_table, widest_between_pads_m
+from kinematics.planning.grasps import (
+    ABOVE_MIDDLE,
+    OTHER_HEIGHTS,
+    GraspTable,
+    grasp_table,
+    widest_between_pads_m,
+)
+from kinematics.planning.palm_sections import with_one_width
 from kinematics.planning.shape_grasps import (
     NARROWEST_M,
     ShapeGrasps,
@@ -36,8 +43,11 @@ def any_grasp_table(
 ) -> GraspTable:
     """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
     parts = item.shape.parts
-    if parts is None or not needs_shape_grasps(parts) or gripper.palm_side_m is not None:
+    if parts is None or not needs_shape_grasps(parts):
         return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+    if gripper.palm_side_m is not None:
+        table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+        return with_one_width(table, parts, gripper, item.world_T_object)
     found = shape_grasps(parts, gripper, item.world_T_object)
     places = item.world_T_object @ found.object_T_tcp
     rolled = places.copy()
@@ -81,8 +91,12 @@ def _unnatural(places: Array, natural_yaw_rad: float, outward: float) -> Array:
 def no_grasp_reason(item: SceneObject, gripper: GripperDescription) -> str | None:
     """Why a hand can take hold of a thing nowhere, in words for people; None where it could."""
     parts = item.shape.parts
-    if parts is None or not needs_shape_grasps(parts) or gripper.palm_side_m is not None:
+    if parts is None or not needs_shape_grasps(parts):
         return None
+    if gripper.palm_side_m is not None:
+        table = any_grasp_table(item, gripper, 0.0, 0.0, (ABOVE_MIDDLE, *OTHER_HEIGHTS), 0.0)
+        width = f"nowhere is the {item.name} of one width over the height of this hand's fingers"
+        return None if len(table) else f"{width} that goes into it"
     found = shape_grasps(parts, gripper, item.world_T_object)
     return None if len(found.cost) else _reason(item, parts, found, gripper)
 

@@ -10,7 +10,13 @@ from collections.abc import Iterator, Sequence
 
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve
-from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, least_width_m, widest_between_pads_m
+from kinematics.planning.grasps import (
+    ABOVE_MIDDLE,
+    OTHER_HEIGHTS,
+    least_depth_m,
+    least_width_m,
+    widest_between_pads_m,
+)
 from kinematics.planning.grasps_of_shapes import no_grasp_reason
 from kinematics.planning.pick_task import Goal, PickTask, Way
 from kinematics.planning.shape_grasps import needs_shape_grasps
@@ -85,12 +91,27 @@ class PickPlanner:
         grippers = self._model.description.grippers
         widest_m = max(widest_between_pads_m(grippers[hand]) for hand in request.hands)
         if width_m <= widest_m:
-            return None
+            return self._too_deep(request)
         return NoPlan(
             f"the {request.target} is too wide for the hand: {1000 * width_m:.0f} mm, "
             f"and at most {1000 * widest_m:.0f} mm fit between the fingers",
             {},
             {"width_m": width_m, "widest_m": widest_m},
+            WhyNoPlan.TOO_WIDE,
+        )
+
+    def _too_deep(self, request: PickRequest) -> NoPlan | None:
+        """That no hand's fingers close around it; None for what is not too deep."""
+        target, grippers = request.scene.objects[request.target], self._model.description.grippers
+        depth_m = min(least_depth_m(target, grippers[hand]) for hand in request.hands)
+        around_m = max(grippers[hand].around_m for hand in request.hands)
+        if depth_m <= around_m:
+            return None
+        return NoPlan(
+            f"the {request.target} is too deep for the hand: {1000 * depth_m:.0f} mm, "
+            f"and the fingers close around {1000 * around_m:.0f} mm at most",
+            {},
+            {"depth_m": depth_m, "around_m": around_m},
             WhyNoPlan.TOO_WIDE,
         )
 

@@ -385,6 +385,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         felt_n=table.felt_n,
         side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
+        around_m=math.inf if table.around_m is None else table.around_m,
         cannot_grip_bars=table.cannot_grip_bars,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )

@@ -193,6 +193,7 @@ class GripperTable(StrictTable):
     felt_n: FiniteFloat = 6.0
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
+    around_m: FiniteFloat | None = None
     cannot_grip_bars: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4

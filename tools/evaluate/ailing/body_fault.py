@@ -76,5 +76,5 @@ def struck_joint(description: RobotDescription, rng: np.random.Generator) -> str
             group = name
             break
         draw -= share
-    joints = description.groups[group]
+    joints = description.groups[group] or description.groups["torso"]  # one without a neck
     return joints[int(rng.integers(len(joints)))]
