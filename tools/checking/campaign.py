@@ -12,7 +12,7 @@ import json
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
 from functools import cache, partial
@@ -70,11 +70,11 @@ def _parts(
     )
 
 
-def kind_of(index: int, defects_only: bool = False) -> Kind:
+def kind_of(index: int, defects_only: bool = False, defects: Sequence[Kind] = DEFECTS) -> Kind:
     """What is planted in a trial: nothing in every second, else each kind in turn."""
     if defects_only:
-        return DEFECTS[index % len(DEFECTS)]
-    return "sound" if index % 2 == 0 else DEFECTS[(index // 2) % len(DEFECTS)]
+        return defects[index % len(defects)]
+    return "sound" if index % 2 == 0 else defects[(index // 2) % len(defects)]
 
 
 def trial(
@@ -88,7 +88,7 @@ def trial(
 ) -> Outcome:
     """Make, judge and check one case."""
     generator, checker = _parts(robot, smallest_m, compiled, meshes)
-    kind = kind_of(index, defects_only)
+    kind = kind_of(index, defects_only, generator.defects)
     case = generator.case(kind, np.random.default_rng([seed, index]))
     started = time.process_time()
     answer = checker.check(case.trajectory, case.scene)

@@ -7,11 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from kinematics.arrays import Array
 from kinematics.checking.settings import DEFAULT_SETTINGS
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.model.robot_description import HANDS
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -19,6 +17,7 @@ from tools.checking.motions import (
     Choreographer,
     Motion,
     UnfitMotionError,
+    quaternion_product,
     random_motion,
     sample_times,
 )
@@ -78,6 +77,9 @@ class Generator:
         longest_s: Motions that take longer are not used.
         smallest_m: Defects are log-uniform from this to 0.1 (m, rad; a tenth of it over a limit).
         parts: Whether things are of convex parts, as what is made of meshes is.
+
+    Attributes:
+        defects: What can be planted in a motion of this robot: what is bolted down cannot tip.
     """
 
     def __init__(
@@ -85,6 +87,10 @@ class Generator:
     ) -> None:
         self._parts = parts
         self._model = model
+        self._hands, tips = model.description.gripping_hands, not model.description.welded
+        self.defects = tuple(kind for kind in DEFECTS if tips or kind != "balance")
+        self._arms = [f"{hand}_arm" for hand in self._hands]
+        self._limbs = [*self._arms, *(["head"] if len(model.group("head")) else [])]
         self._longest_s = longest_s
         self._smallest_m = smallest_m
         self._choreographer = Choreographer(model)
@@ -175,7 +181,7 @@ class Generator:
         return SceneObject(name, shape or random_thing(rng, self._parts), pose, margin_m=margin)
 
     def _holding(self, rng: np.random.Generator, scene: PlanningScene, large: bool = False) -> PlanningScene:
-        hand = HANDS[int(rng.integers(2))]
+        hand = self._hands[int(rng.integers(len(self._hands)))]
         gripper = self._model.description.grippers[hand]
         shape: Shape = Cylinder(radius := rng.uniform(0.02, 0.038), high := rng.uniform(0.08, 0.16))
         size_m = (2.0 * radius, 2.0 * radius, high)
@@ -203,7 +209,7 @@ class Generator:
             v[row, 6 + joint] = (1.0 + over) * self._model.velocity[joint] * rng.choice([-1.0, 1.0])
             return replace(trajectory, v=v), PlanningScene(), over
         for _ in range(30):
-            group = str(rng.choice(["left_arm", "right_arm", "head"]))
+            group = str(rng.choice(self._limbs))
             motion = random_motion(self._model, rng, [group])
             keep = rng.choice(list(motion.joints), size=int(rng.integers(1, 3)), replace=False)
             motion = Motion({int(k): motion.joints[int(k)] for k in keep})
@@ -230,7 +236,7 @@ class Generator:
 
     def _past_the_end(self, rng: np.random.Generator, size: float) -> tuple[Motion, float]:
         model = self._model
-        motion = random_motion(model, rng, [str(rng.choice(["left_arm", "right_arm", "head"]))])
+        motion = random_motion(model, rng, [str(rng.choice(self._limbs))])
         joint = int(rng.choice(list(motion.joints)))
         room = np.array([model.lower_rad[joint], model.upper_rad[joint]]) - model.q_home[7 + joint]
         side = int(rng.integers(2))
@@ -241,9 +247,9 @@ class Generator:
 
     def _self(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         """An arm motion made as large as it takes to sink in by ``size``."""
-        group = str(rng.choice(["left_arm", "right_arm"]))
+        group = str(rng.choice(self._arms))
         model = self._model
-        whole = random_motion(model, rng, [group] if rng.random() < 0.6 else ["left_arm", "right_arm"])
+        whole = random_motion(model, rng, [group] if rng.random() < 0.6 else self._arms)
         joints = {}
         for index in whole.joints:
             lower, upper = model.lower_rad[index] + 0.02, model.upper_rad[index] - 0.02
@@ -289,7 +295,7 @@ class Generator:
 
     def _graze(self, rng: np.random.Generator) -> tuple[Trajectory, PlanningScene, float] | None:
         """A fast arm that just touches something, for a few milliseconds."""
-        group = str(rng.choice(["left_arm", "right_arm"]))
+        group = str(rng.choice(self._arms))
         trajectory = self._with_use(rng, random_motion(self._model, rng, [group]), 0.97)
         if self._alone(trajectory).unsafe:
             return None
@@ -310,7 +316,7 @@ class Generator:
 
     def _brief(self, rng: np.random.Generator, size: float) -> tuple[Trajectory, PlanningScene, float] | None:
         """A fast hand that clips the end or the side of something thin for less than 10 ms."""
-        hand = HANDS[int(rng.integers(2))]
+        hand = self._hands[int(rng.integers(len(self._hands)))]
         trajectory = self._with_use(rng, random_motion(self._model, rng, [f"{hand}_arm"]), 0.97)
         # deeper than some millimetres nothing is for so short a time
         size = min(size, float(np.exp(rng.uniform(np.log(0.0002), np.log(0.003)))))
@@ -387,14 +393,8 @@ class Generator:
             q[rows, int(rng.integers(3))] += way * size
         elif which == "turn":
             turn = np.append(np.sin(0.5 * size) * np.eye(3)[int(rng.integers(3))], np.cos(0.5 * size))
-            q[rows, 3:7] = [_product(turn, row_q) for row_q in q[rows, 3:7]]
+            q[rows, 3:7] = [quaternion_product(turn, row_q) for row_q in q[rows, 3:7]]
         else:
             joint = int(rng.integers(len(self._model.joints)))
             v[rows, 6 + joint] += way * (0.3 + 10.0 * size)
         return replace(trajectory, q=q, v=v), PlanningScene(), size
-
-
-def _product(a: Array, b: Array) -> Array:
-    """Product of two quaternions (x, y, z, w)."""
-    xyz = a[3] * b[:3] + b[3] * a[:3] + np.cross(a[:3], b[:3])
-    return np.append(xyz, a[3] * b[3] - a[:3] @ b[:3])

@@ -49,7 +49,8 @@ def stance_at_home(model: RobotModel) -> Stance:
 
 def random_motion(model: RobotModel, rng: np.random.Generator, groups: Sequence[str] = ()) -> Motion:
     """Some groups move within their limits; in a third of the cases the pelvis does too."""
-    chosen = list(groups) or [group for group in _GROUPS if rng.random() < 0.55] or ["right_arm"]
+    drawn = list(groups) or [group for group in _GROUPS if rng.random() < 0.55]
+    chosen = [group for group in drawn if len(model.group(group))] or ["right_arm"]
     size = rng.choice([0.2, 0.5, 1.0])
     joints = {}
     s = np.linspace(0.0, 1.0, 200)
@@ -66,7 +67,7 @@ def random_motion(model: RobotModel, rng: np.random.Generator, groups: Sequence[
             )
             joints[int(index)] = profile.scaled(fit)
     pelvis = {}
-    if rng.random() < 0.35:
+    if not model.description.welded and rng.random() < 0.35:
         for name in PELVIS:
             if rng.random() < 0.6:
                 pelvis[name] = random_profile(rng, _PELVIS_SIZE[name])
@@ -209,3 +210,9 @@ def sample_times(rng: np.random.Generator, duration_s: float) -> Array:
         steps = rng.uniform(0.6, 1.4, count)
         return np.concatenate([[0.0], np.cumsum(steps) / steps.sum() * duration_s])
     return np.linspace(0.0, duration_s, count + 1)
+
+
+def quaternion_product(a: Array, b: Array) -> Array:
+    """Product of two quaternions (x, y, z, w)."""
+    xyz = a[3] * b[:3] + b[3] * a[:3] + np.cross(a[:3], b[:3])
+    return np.append(xyz, a[3] * b[3] - a[:3] @ b[:3])

@@ -13,6 +13,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.ik.arm_frames import link_moved_by
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -159,13 +160,13 @@ class Placer:
 
     def _moving_link(self, rng: np.random.Generator, trajectory: Trajectory) -> str:
         moving = np.ptp(trajectory.q[:, 7:], axis=0) > 0.02
-        sides = [hand for hand in ("left", "right") if moving[self._model.group(f"{hand}_arm")].any()]
+        robot, group = self._model.description, self._model.group
+        sides = [hand for hand in robot.gripping_hands if moving[group(f"{hand}_arm")].any()]
         hand = rng.choice(sides or ["right"])
+        arm = robot.groups[f"{hand}_arm"]
         names = [
-            *self._model.description.grippers[hand].links,
-            f"arm_{hand}_7_link",
-            f"arm_{hand}_5_link",
-            f"arm_{hand}_4_link",
+            *robot.grippers[hand].links,
+            *(link_moved_by(self._model, arm[from_end]) for from_end in (-1, -3, -4)),
         ]
         return str(rng.choice(names))
 

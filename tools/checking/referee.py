@@ -15,6 +15,7 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from kinematics.arrays import Array
+from kinematics.collision.collision_world import with_floor
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.trajectory import Trajectory
 from kinematics.scene.planning_scene import PlanningScene
@@ -72,7 +73,10 @@ class Referee:
         self._limits(trajectory, verdict)
         self._massive = self._with_masses(scene)
         self._data = self._massive.createData()
-        self._stance_and_balance(trajectory, verdict)
+        if self.model.description.welded:
+            self._mount(trajectory, verdict)
+        else:
+            self._stance_and_balance(trajectory, verdict)
         return verdict
 
     def _with_masses(self, scene: PlanningScene) -> pin.Model:
@@ -184,6 +188,17 @@ class Referee:
             verdict.add("balance", float(missing.max()), "CoM", float(np.ptp(times[missing > 0.0])))
         self._tipping(trajectory, hull, verdict)
 
+    def _mount(self, trajectory: Trajectory, verdict: Verdict) -> None:
+        """A welded base may not move at all."""
+        times = np.union1d(np.arange(0.0, trajectory.duration_s, _STANCE_STEP_S), trajectory.t_s)
+        base, home = self.configurations(trajectory, times)[:, :7], self.model.q_home[:7]
+        slip = np.linalg.norm(base[:, :3] - home[:3], axis=1)
+        tilt = (Rotation.from_quat(base[:, 3:]) * Rotation.from_quat(home[3:]).inv()).magnitude()
+        strays = (slip > 0.001) | (tilt > 0.002)
+        if strays.any():
+            name = self.model.description.base_link
+            verdict.add("stance", float(np.maximum(slip, tilt)[strays].max()), name)
+
     def _tipping(self, trajectory: Trajectory, hull: Array, verdict: Verdict) -> None:
         """ZMP from the change of the centroidal momentum, by differences of momenta."""
         model, data = self._massive, self._data
@@ -210,6 +225,8 @@ class Referee:
             verdict.add("tipping", float(-margin.min()), "ZMP", float(np.ptp(times[:-1][margin < 0.0])))
 
     def _collisions(self, trajectory: Trajectory, scene: PlanningScene, verdict: Verdict) -> None:
+        if self.model.description.welded:  # an arm on a table may reach into the floor
+            scene = with_floor(self.model, scene)
         world = SolidWorld(self.model, scene)
         search = ContactSearch(self.model, world, self._definition(trajectory), trajectory.duration_s)
         verdict.least_distance_m = search.least_m

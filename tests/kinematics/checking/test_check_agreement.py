@@ -12,8 +12,10 @@ from kinematics.checking.settings import CheckSettings
 from kinematics.checking.trajectory_checker import TrajectoryChecker
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball
+from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import Unsafe
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.models.description import load_description
 from tools.checking.generator import DEFECTS, Generator
 from tools.checking.referee import Referee
 
@@ -48,6 +50,21 @@ def test_what_the_referee_finds_sound_is_not_refused(generator, checker, number)
     answer = checker.check(sound.trajectory, sound.scene)
 
     assert not isinstance(answer, Unsafe), (number, str(answer), sound.verdict)
+
+
+@pytest.fixture(scope="module", params=["panda", "g1"])
+def of_another_body(request):
+    model = RobotModel(load_description(request.param))
+    return Generator(model, longest_s=3.0), TrajectoryChecker(model)
+
+
+@pytest.mark.requirement("U4")
+def test_of_other_bodies_too_defects_are_refused_and_sound_motions_are_not(of_another_body):
+    generator, checker = of_another_body
+    for kind in (*generator.defects, "sound"):
+        planted = case(generator, kind, 0)
+        answer = checker.check(planted.trajectory, planted.scene)
+        assert isinstance(answer, Unsafe) == (kind != "sound"), (kind, planted.verdict, str(answer))
 
 
 def missed(checker, cases):
