@@ -62,6 +62,7 @@ class Reason(Enum):
 
     # planning, and the room that there is
     NO_GRASP = "no grasp of the thing or handle was found that a hand can come to"
+    ON_FLOOR = "the thing is on the floor, where no hand takes anything"
     TOO_WIDE = "the thing is wider than any hand opens"
     NO_WAY_TO_SPOT = "there are free spots, and the hand comes to none of them with what it holds"
     CANNOT_WALK = "the robot cannot walk here"

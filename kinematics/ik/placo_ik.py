@@ -125,6 +125,7 @@ class PlacoIk:
         iterations: int = 60,
         q_preferred: Array | None = None,
         upright: bool = False,  # noqa: ARG002
+        lowest_m: float = -math.inf,  # noqa: ARG002
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -137,6 +138,7 @@ class PlacoIk:
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
             upright: Makes no difference: this solver bends knees only where it must.
+            lowest_m: Makes none either.
 
         Raises:
             InvalidArrayError: One has another shape, or holds no real numbers.

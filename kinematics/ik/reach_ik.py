@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -123,6 +124,7 @@ class ReachIk:
         iterations: int = 60,
         q_preferred: Array | None = None,
         upright: bool = False,
+        lowest_m: float = -math.inf,
         starts: Array | None = None,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
@@ -134,6 +136,7 @@ class ReachIk:
             iterations: Most steps from one start.
             q_preferred: Posture to stay near where there is a choice; home when left out.
             upright: Try only what does not bend the knees: half of the time where nothing is found.
+            lowest_m: The base comes no lower.
             starts: Further starts to try, as shares of the way through the bounds, shape (k, size).
 
         Raises:
@@ -148,6 +151,10 @@ class ReachIk:
         else:
             seed = self._space.from_q(q_seed)
             where = self._search(seed, self._space.from_q(q_preferred))
+        if lowest_m > where.lower[2]:
+            lower = where.lower.copy()
+            lower[2] = min(lowest_m, float(self._home[2]))
+            where = where._replace(lower=lower)
         goal = self._goal(world_T_tcp)
         settings = self._settings(tolerance, iterations)
         taken = 0

@@ -7,6 +7,8 @@ near it: from its home posture Panda found 17 of 60 random poses at handles, fro
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from kinematics.arrays import Array
@@ -53,6 +55,7 @@ class RestartedIk:
         iterations: int = 60,
         q_preferred: Array | None = None,
         upright: bool = False,
+        lowest_m: float = -math.inf,
     ) -> IkResult:
         """Bring the TCP to a pose; what is to stay near a posture begins there alone.
 
@@ -61,13 +64,13 @@ class RestartedIk:
         Returns:
             The first answer within the tolerance, else that of the first start.
         """
-        first = self._search.solve(world_T_tcp, q_seed, tolerance, iterations, q_preferred, upright)
+        first = self._search.solve(world_T_tcp, q_seed, tolerance, iterations, q_preferred, upright, lowest_m)
         if first.within(tolerance) or q_preferred is not None:
             return first
         for start in self._starts:
             q = q_seed.copy()
             q[7 + self._joints] = start
-            found = self._search.solve(world_T_tcp, q, tolerance, iterations, None, upright)
+            found = self._search.solve(world_T_tcp, q, tolerance, iterations, None, upright, lowest_m)
             if found.within(tolerance):
                 return found
         return first

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Sequence
 from typing import Protocol, cast, runtime_checkable
 
@@ -28,6 +29,7 @@ class InverseKinematics(Protocol):
         iterations: int = 60,
         q_preferred: Array | None = None,
         upright: bool = False,
+        lowest_m: float = -math.inf,
     ) -> IkResult:
         """Bring the TCP to a pose, starting from a configuration with the feet at the stance.
 
@@ -38,6 +40,7 @@ class InverseKinematics(Protocol):
             iterations: Most steps of the solver.
             q_preferred: Posture to stay near where there is a choice; home when left out.
             upright: Give up, and quickly, where the knees would have to bend.
+            lowest_m: The base comes no lower, as far as the solver can be told so.
         """
         ...
 

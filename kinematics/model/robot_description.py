@@ -115,6 +115,8 @@ class GripperDescription:
             that leave it where it stands.
         felt_n: Lift of the hand that says that what it holds stands on something: more than its arm's motors
             show while nothing is there.
+        least_felt_m: What is thinner between the pads cannot be told from an empty hand.
+        fingers_half_width_m: From the middle of the fingers of one side to their edge, across the approach.
         side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
@@ -152,6 +154,8 @@ class GripperDescription:
     held_table: tuple[tuple[float, float], ...] = ()
     push_table: tuple[tuple[float, float], ...] = ()
     felt_n: float = 6.0
+    least_felt_m: float = 0.02
+    fingers_half_width_m: float = 0.05
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     around_m: float = math.inf

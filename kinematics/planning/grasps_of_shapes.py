@@ -9,7 +9,8 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry.convex_parts import ConvexParts
-from kinematics.model.robot_description import GripperDescription
+from kinematics.model.robot_description import GripperDescription, Hand
+from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import (
     ABOVE_MIDDLE,
     OTHER_HEIGHTS,
@@ -19,7 +20,6 @@ from kinematics.planning.grasps import (
 )
 from kinematics.planning.palm_sections import with_one_width
 from kinematics.planning.shape_grasps import (
-    NARROWEST_M,
     ShapeGrasps,
     needs_shape_grasps,
     shape_grasps,
@@ -35,20 +35,21 @@ _USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20
 
 def any_grasp_table(
     item: SceneObject,
-    gripper: GripperDescription,
+    model: RobotModel,
+    hand: Hand,
     natural_yaw_rad: float,
     approach_m: float,
     heights: Sequence[float],
     extra_cost: float,
 ) -> GraspTable:
-    """Candidates for one hand, most natural first; arguments as of ``grasp_table``."""
-    parts = item.shape.parts
+    """Candidates for one hand of a robot, most natural first; other arguments as of ``grasp_table``."""
+    gripper, parts = model.description.grippers[hand], item.shape.parts
     if parts is None or not needs_shape_grasps(parts):
         return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
     if gripper.palm_side_m is not None:
         table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
         return with_one_width(table, parts, gripper, item.world_T_object)
-    found = shape_grasps(parts, gripper, item.world_T_object)
+    found = shape_grasps(parts, model, hand, item.world_T_object)
     places = item.world_T_object @ found.object_T_tcp
     rolled = places.copy()
     rolled[:, :3, :3] = places[:, :3, :3] * _HALF_TURN
@@ -88,16 +89,16 @@ def _unnatural(places: Array, natural_yaw_rad: float, outward: float) -> Array:
     return np.asarray(level * np.abs(yaw - _USUAL_YAW_RAD) + _TILT_SHARE * np.abs(tilt - _USUAL_TILT_RAD))
 
 
-def no_grasp_reason(item: SceneObject, gripper: GripperDescription) -> str | None:
+def no_grasp_reason(item: SceneObject, model: RobotModel, hand: Hand) -> str | None:
     """Why a hand can take hold of a thing nowhere, in words for people; None where it could."""
-    parts = item.shape.parts
+    gripper, parts = model.description.grippers[hand], item.shape.parts
     if parts is None or not needs_shape_grasps(parts):
         return None
     if gripper.palm_side_m is not None:
-        table = any_grasp_table(item, gripper, 0.0, 0.0, (ABOVE_MIDDLE, *OTHER_HEIGHTS), 0.0)
+        table = any_grasp_table(item, model, hand, 0.0, 0.0, (ABOVE_MIDDLE, *OTHER_HEIGHTS), 0.0)
         width = f"nowhere is the {item.name} of one width over the height of this hand's fingers"
         return None if len(table) else f"{width} that goes into it"
-    found = shape_grasps(parts, gripper, item.world_T_object)
+    found = shape_grasps(parts, model, hand, item.world_T_object)
     return None if len(found.cost) else _reason(item, parts, found, gripper)
 
 
@@ -117,8 +118,9 @@ def _reason(item: SceneObject, parts: ConvexParts, found: ShapeGrasps, gripper: 
             f"the {name} is too wide for the hand: {1000 * found.narrowest_m:.0f} mm, "
             f"and at most {1000 * widest:.0f} mm fit between the fingers"
         )
+    felt_mm = 1000 * gripper.least_felt_m
     return (
-        f"where the {name} is not too wide for the hand it is thinner than {1000 * NARROWEST_M:.0f} mm, "
+        f"where the {name} is not too wide for the hand it is thinner than {felt_mm:.0f} mm, "
         "which its fingers do not feel"
     )
 

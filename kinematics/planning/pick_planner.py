@@ -78,9 +78,9 @@ class PickPlanner:
 
     def _nowhere(self, request: PickRequest) -> NoPlan | None:
         """That no hand can take hold of it wherever it is; None for what one could."""
-        target, grippers = request.scene.objects[request.target], self._model.description.grippers
+        target = request.scene.objects[request.target]
         if needs_shape_grasps(target.shape.parts):
-            reasons = [no_grasp_reason(target, grippers[hand]) for hand in request.hands]
+            reasons = [no_grasp_reason(target, self._model, hand) for hand in request.hands]
             known = [reason for reason in reasons if reason is not None]
             return NoPlan(known[0], {}, {}, WhyNoPlan.TOO_WIDE) if len(known) == len(reasons) else None
         return self._too_wide(request)

@@ -119,7 +119,8 @@ class PickTask(PlanningTask):
         for hand, offset in self._in_reach.items():
             table = any_grasp_table(
                 self._target,
-                self._model.description.grippers[hand],
+                self._model,
+                hand,
                 float(np.arctan2(offset[1], offset[0])),
                 APPROACH_M,
                 self._heights,
@@ -236,6 +237,9 @@ class PickTask(PlanningTask):
             self.reasons["legs cannot follow"] += 1
             return None
         first, second, third = (step for step in steps if step is not None)
+        if not all(self.bears(step.trajectory) for step in (first, second, third)):
+            self.reasons["too heavy for the legs"] += 1
+            return None
         return PickPlan(goal.grasp, first, second, third, self.considered)
 
     def _lift(self, way: Way, reserve_rad: float = 0.0) -> Curve | None:
@@ -243,13 +247,15 @@ class PickTask(PlanningTask):
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
         ik = self.ik_of(grasp.hand)
         up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
-        return None if up is None else PolynomialCurve(self.looking(self.space.from_many(up), way.gaze))
+        if up is None or not self.stays_up(up[-1]):
+            return None
+        return PolynomialCurve(self.looking(self.space.from_many(up), way.gaze))
 
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp
         ik = self.ik_of(grasp.hand)
         _, near = self._grasp_planner(grasp.hand)
-        first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright)
+        first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright, lowest_m=self.lowest_m)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
         if not near.is_free(self.space.from_q(first.q)):
@@ -258,6 +264,8 @@ class PickTask(PlanningTask):
         back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
+        if not self.stays_up(first.q, back[-1]):
+            return "too low or too heavy for the legs"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
         points = self.looking(self.space.from_many(back[::-1]), gaze)
         if not self.planner.is_free(points[0]):

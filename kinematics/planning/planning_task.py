@@ -15,12 +15,14 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.collision.relaxed_start import relaxed_at, start_concessions
 from kinematics.collision.validity import validity
+from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.ik.solver import InverseKinematics, inverse_kinematics
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.lead_in import lead_in
+from kinematics.motion.trajectory import Trajectory
 from kinematics.planning.path_planner import PathPlanner
 from kinematics.requests.request import Request
 from kinematics.requests.step import PlannedStep
@@ -36,6 +38,13 @@ P = TypeVar("P")
 SELF_MARGIN_M = 0.005
 """Kept between the robot's own links where nothing else is said."""
 
+BORNE_SHARE = 0.95
+"""Of what a motor gives, what a plan may take of it: other loads of the feet take the rest."""
+CROUCHED_SHARE = 0.72
+"""Of the base's height at home; below 0.7 it has fallen."""
+_EVERY = 8
+"""Samples of a motion between two looks at its efforts; the checker looks at all."""
+_ROUNDING_M = 1e-3
 CARTESIAN_POINTS = 4
 """Points of the straight approach and lift that are solved; a cubic runs through them."""
 
@@ -116,6 +125,30 @@ class PlanningTask:
     def ik_of(self, hand: Hand) -> InverseKinematics:
         """The inverse kinematics of a hand."""
         return inverse_kinematics(self.robot, hand)
+
+    @property
+    def lowest_m(self) -> float:
+        """How low the base may come: farther down, whoever watches takes it for falling."""
+        welded = self._model.description.welded
+        return -np.inf if welded else CROUCHED_SHARE * float(self.robot.q_home[2])
+
+    def stays_up(self, *configurations: Array) -> bool:
+        """Whether the motors hold configurations, shape (nq,) each, and none is taken for a fall."""
+        dynamics, most = self.robot.derived(StandingDynamics), BORNE_SHARE * self._model.effort
+        return all(
+            bool(q[2] >= self.lowest_m - _ROUNDING_M and np.all(np.abs(dynamics.holding_efforts(q)) <= most))
+            for q in configurations
+        )
+
+    def bears(self, trajectory: Trajectory) -> bool:
+        """Whether the motors can carry a motion out."""
+        dynamics, most = self.robot.derived(StandingDynamics), BORNE_SHARE * self._model.effort
+        q, v, t_s = trajectory.q, trajectory.v, trajectory.t_s
+        for k in range(1, len(t_s) - 1, _EVERY):
+            acceleration = (v[k + 1] - v[k - 1]) / (t_s[k + 1] - t_s[k - 1])
+            if np.any(np.abs(dynamics.efforts(q[k], v[k], acceleration)) > most):
+                return False
+        return True
 
     def rows(self, configurations: Iterable[Array]) -> Array:
         """Free coordinates of n configurations, shape (nq,) each, as rows of shape (n, size)."""

@@ -383,6 +383,8 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         held_table=tuple((width, mirror * at) for width, at in table.held_table),
         push_table=tuple(table.push_table),
         felt_n=table.felt_n,
+        least_felt_m=table.least_felt_m,
+        fingers_half_width_m=table.fingers_half_width_m,
         side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
         around_m=math.inf if table.around_m is None else table.around_m,

@@ -191,6 +191,8 @@ class GripperTable(StrictTable):
     held_table: list[Pair] = Field(default_factory=list)
     push_table: list[Pair] = Field(default_factory=list)
     felt_n: FiniteFloat = 6.0
+    least_felt_m: FiniteFloat = 0.02
+    fingers_half_width_m: FiniteFloat = 0.05
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     around_m: FiniteFloat | None = None

@@ -2,10 +2,14 @@
 
 import itertools
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.scenes.importing.import_object import import_object
+from robots.scenes.scene_description import SceneItem
 from robots.scenes.scene_file import load_scene
 from tests import foreign_meshes as foreign
 from tools.evaluate.__main__ import main
@@ -14,6 +18,7 @@ from tools.evaluate.records import broken_episode
 from tools.evaluate.report import save_scenes
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.upon.takeable import Hands, bolted_before, hands_of, why_not_asked_for
 from tools.evaluate.upon.things import _radius_m
 
 SEEDS = range(12)
@@ -96,6 +101,85 @@ def test_in_place_everything_stays_and_what_a_hand_can_take_is_asked_for(pool):
     assert len({trial.scene.robot_start for trial in trials}) == len(trials)
     assert len({trial.aim for trial in trials}) == 2
     assert not {"dinner plate", "tomato soup", "big tomato soup"} & {trial.aim for trial in trials}
+
+
+def test_of_a_scene_it_is_told_why_each_thing_is_not_asked_for(pool):
+    text = pool.read_text()
+    reasons = {one.name: "" for one in load_scene(str(pool)).objects}
+    reasons |= {"tomato soup": "others are called so", "big tomato soup": "others are called so"}
+    reasons["dinner plate"] = "no hand can take it even where nothing else is"
+    assert why_not_asked_for(load_scene(str(pool)), hands_of("talos")) == reasons
+
+    on_floor = pool.with_name("on_the_floor.toml")
+    stands = 'label = "ketchup"\non = "table"\nposition_m = [0.2, 0.0]'
+    assert stands in text
+    on_floor.write_text(text.replace(stands, 'label = "ketchup"\nposition_m = [-1.0, 0.0, 0.11]'))
+    reasons["ketchup"] = "stands on no furniture"
+    assert why_not_asked_for(load_scene(str(on_floor)), hands_of("talos")) == reasons
+
+
+def test_what_stands_between_others_is_not_asked_for(tmp_path):
+    scene = tmp_path / "between.toml"
+    walls = "".join(
+        f'\n[[object]]\nname = "block {side}"\nkind = "box"\nsize_m = [0.3, 0.1, 0.3]\non = "table"\n'
+        f"position_m = [0.0, {side}]"
+        for side in (-0.09, 0.09)
+    )
+    scene.write_text(
+        '[[furniture]]\nname = "table"\nkind = "table"\nsize_m = [1.0, 1.0, 0.8]\nposition_m = [0.8, 0.0]\n'
+        '[[object]]\nname = "red can"\nkind = "can"\ncolor = "red"\nradius_m = 0.03\nheight_m = 0.1\n'
+        'on = "table"' + walls
+    )
+
+    reasons = why_not_asked_for(load_scene(str(scene)), hands_of("talos"))
+
+    assert reasons["red can"] == "no hand has room beside it"
+
+
+def test_an_arm_is_bolted_down_where_it_reaches_what_is_asked_for_and_not_in_furniture(pool):
+    there = load_scene(str(pool))
+    middle = next(one for one in there.objects if one.name == "ketchup")
+    (table,) = there.furniture
+
+    assert bolted_before(middle, there) == []
+
+    narrow = replace(there, furniture=(replace(table, size_m=(0.6, 4.0, 0.8)),))
+    starts = bolted_before(middle, narrow)
+
+    assert starts
+    for start in starts:
+        ahead = math.dist((start.x_m, start.y_m), middle.world_T_object[:2, 3])
+        assert 0.4 < ahead < 0.7
+        assert abs(start.x_m - table.position_m[0]) > 0.3 + 0.1
+
+
+@pytest.mark.parametrize(
+    ("shape", "held"),
+    [
+        (Box((0.09, 0.07, 0.12)), True),
+        (Box((0.09, 0.085, 0.12)), False),
+        (Box((0.09, 0.01, 0.12)), False),
+        (Box((0.09, 0.06, 0.015)), False),
+        (Cylinder(0.035, 0.1), True),
+        (Cylinder(0.045, 0.1), False),
+        (Ball(0.035), True),
+    ],
+    ids=str,
+)
+def test_a_hand_alone_takes_what_is_between_its_fingers_widths_and_high_enough(shape, held):
+    thing = SceneItem("thing", "thing", None, shape, 0.2, 0.6, np.eye(4))
+
+    assert Hands("talos").take_alone(thing) is held
+
+
+def test_a_scene_that_has_nothing_for_a_hand_is_refused_before_any_episode(pool, capsys):
+    text = pool.read_text()
+    plates = pool.with_name("plates_alone.toml")
+    plates.write_text(text[: text.index("[[object]]")] + text[text.rindex("[[object]]") :])
+
+    assert main(["in_place", "--scene", str(plates), "--episodes", "1"]) == 2
+
+    assert "dinner plate: no hand can take it even where nothing else is" in capsys.readouterr().err
 
 
 def test_without_a_scene_it_is_refused_with_what_to_say(capsys):

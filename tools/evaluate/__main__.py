@@ -60,7 +60,7 @@ from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
 from tools.evaluate.scenes import BENCH, workspace_of
 from tools.evaluate.shown.suite import SHOWN_SUITE, run_shown
-from tools.evaluate.skills.episode import run_skill_episode
+from tools.evaluate.skills.episode import run_skill_episode, trial_of
 from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
 from tools.evaluate.skills.registry import SKILL_SUITES
 from tools.evaluate.skills.summary import SkillSummary
@@ -245,6 +245,12 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
     if skill and ((options.fault and not faulted) or (options.scene and not known)):
         messages.print(f"error: the suite {options.suite} takes no such fault and no scene", style="bold")
         return 2
+    if suite is not None and suite.in_scene is not None:
+        try:
+            trial_of(options.suite, options.seed, options.scene, options.robot)
+        except ValueError as nothing:
+            messages.print(f"error: {nothing}", style="bold", markup=False, soft_wrap=True)
+            return 2
     run: Run = partial(run_skill_episode, options.suite) if skill else run_episode
     run = _RUNS.get(options.suite, run)
     records = _run(orders, options.execution, messages, run)

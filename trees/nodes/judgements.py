@@ -17,7 +17,7 @@ from typing import Any, Generic, ParamSpec
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from trees.failures import Failure, FailureKind
+from trees.failures import Failure, FailureKind, Reason
 
 Judged = ParamSpec("Judged")
 
@@ -97,8 +97,8 @@ def always_worth_trying(_way: Behaviour, _failure: Failure | None) -> bool:
 
 @judgement
 def looking_elsewhere_is_useless(failure: Failure) -> bool:
-    """A defect, or several objects in view that fit: that takes an answer, not another look."""
-    return defect(failure) or bool(failure.choices)
+    """A defect, several objects in view that fit, or one on the floor: that takes an answer, not a look."""
+    return defect(failure) or bool(failure.choices) or failure.root.reason is Reason.ON_FLOOR
 
 
 @judgement

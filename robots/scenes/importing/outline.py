@@ -14,6 +14,8 @@ WORTH_A_TURN = 0.9
 """A thing is turned about the vertical where its rectangle from above is then smaller than this share."""
 _NEARLY_ALL = 98.0
 """Percentile of the distances that is the error of a fit: a rim or a seam is no misfit."""
+_BALL_ERROR_M = 0.006
+"""What fits a ball worse is none."""
 _SAMPLES = 3000
 
 
@@ -73,7 +75,11 @@ def fitted(corners: Array, seed: int = 0) -> Fit:
         gap = np.abs(_outside(outline, ours - centre))
         back = ((outer + centre) @ planes[:, :3].T + planes[:, 3]).max(axis=1)
         found.append(Fit(outline, centre, max(_nearly_all(gap), _nearly_all(back))))
-    return min(found, key=lambda fit: fit.error_m)
+    # a ball is no higher than wide, and stands on its lowest point: what is none, as a mug, stands on a foot
+    return min(
+        (fit for fit in found if not isinstance(fit.outline, Ball) or fit.error_m <= _BALL_ERROR_M),
+        key=lambda fit: fit.error_m,
+    )
 
 
 def _outside(outline: Shape, points: Array) -> Array:

@@ -57,7 +57,7 @@ class Physics:
         description = robot.description
         self.description, self.hardware, self.scene = description, robot.hardware, scene
         spec = robot_spec(robot, drawn=drawn)
-        _set_options(spec)
+        _set_options(spec, scene)
         if description.welded:
             _mount(spec, description, scene)
         add_scene(spec, scene, description)
@@ -225,12 +225,14 @@ def _mount(spec: mujoco.MjSpec, description: RobotDescription, scene: SceneDescr
     base.pos, base.quat = world_T_base[:3, 3], [w, x, y, z]
 
 
-def _set_options(spec: mujoco.MjSpec) -> None:
+def _set_options(spec: mujoco.MjSpec, scene: SceneDescription) -> None:
     option = spec.option
     option.timestep = TIMESTEP_S
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     option.impratio = IMPEDANCE_RATIO
-    # One solve for all contacts: splitting so few of them into islands costs a tenth of a step.
-    option.disableflags = int(mujoco.mjtDisableBit.mjDSBL_ISLAND)
+    # One solve for all contacts: splitting so few of them into islands costs a tenth of a step. Things of
+    # parts have many, and beside a robot's weight one solve ends before theirs are settled: they creep.
+    if all(item.model is None for item in scene.objects):
+        option.disableflags = int(mujoco.mjtDisableBit.mjDSBL_ISLAND)
     spec.visual.global_.offwidth, spec.visual.global_.offheight = 1920, 1440

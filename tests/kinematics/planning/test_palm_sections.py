@@ -5,6 +5,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
+from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, grasp_table
 from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reason
 from kinematics.scene.planning_scene import SceneObject
@@ -16,8 +17,13 @@ HEIGHTS = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
 
 
 @pytest.fixture(scope="module")
-def gripper():
-    return load_description("g1").grippers["left"]
+def model():
+    return RobotModel(load_description("g1"))
+
+
+@pytest.fixture(scope="module")
+def gripper(model):
+    return model.description.grippers["left"]
 
 
 def standing(mesh, key):
@@ -25,10 +31,10 @@ def standing(mesh, key):
 
 
 @pytest.mark.parametrize("radius_m", [0.027, 0.032, 0.037])
-def test_a_bottle_is_taken_where_it_is_of_one_width_and_by_that(gripper, radius_m):
+def test_a_bottle_is_taken_where_it_is_of_one_width_and_by_that(model, gripper, radius_m):
     bottle = standing(foreign.bottle(radius_m, 0.22), f"bottle {radius_m}")
 
-    table = any_grasp_table(bottle, gripper, 0.0, 0.1, HEIGHTS, 0.0)
+    table = any_grasp_table(bottle, model, "left", 0.0, 0.1, HEIGHTS, 0.0)
 
     by_outline = grasp_table(bottle, gripper, 0.0, 0.1, HEIGHTS)
     assert 0 < len(table) < len(by_outline)
@@ -40,11 +46,11 @@ def test_a_bottle_is_taken_where_it_is_of_one_width_and_by_that(gripper, radius_
     np.testing.assert_allclose(tcp_T_bottle[:, 1, 3], gripper.grasped_at_m(2.0 * radius_m), atol=0.004)
 
 
-def test_a_mug_whose_handle_does_not_go_into_the_hand_is_refused_in_words(gripper):
+def test_a_mug_whose_handle_does_not_go_into_the_hand_is_refused_in_words(model):
     mug = standing(foreign.mug(radius_m=0.045), "mug")
 
-    assert len(any_grasp_table(mug, gripper, 0.0, 0.1, HEIGHTS, 0.0)) == 0
-    assert no_grasp_reason(mug, gripper).startswith("nowhere is the mug of one width")
+    assert len(any_grasp_table(mug, model, "left", 0.0, 0.1, HEIGHTS, 0.0)) == 0
+    assert no_grasp_reason(mug, model, "left").startswith("nowhere is the mug of one width")
 
 
 @pytest.mark.parametrize(("depth_m", "goes"), [(0.085, True), (0.10, False)])

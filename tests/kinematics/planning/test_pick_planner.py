@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from kinematics.collision.collision_world import CollisionWorld
+from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_model import RobotModel
+from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning import pick_planner, pick_task
 from kinematics.planning.grasps import ABOVE_MIDDLE
 from kinematics.planning.pick_planner import MOST_BLOCKED, PickPlanner
@@ -291,3 +293,19 @@ def test_balls_and_what_is_low_or_lies_are_taken_from_above(talos, stance, shape
     beyond_m = (tcp[2, 3] - middle_m) * -tcp[2, 0]  # how far before the fingertips its middle is
     assert -tcp[2, 0] > np.sin(np.radians(70.0))
     assert beyond_m < gripper.pad_half_size_m[0][2] + 0.004
+
+
+@pytest.mark.parametrize("place_m", [(0.95, -0.3), (0.95, 0.1)])
+def test_over_a_low_table_no_plan_is_taken_for_a_fall_or_asks_too_much_of_the_legs(
+    talos, stance, make, place_m
+):
+    scene = PlanningScene().with_objects([make.table(0.44, 0.42, 1.1), make.cup(*place_m, top_m=0.44)])
+
+    answer = plan(talos, stance, scene)
+
+    assert isinstance(answer, PickPlan)
+    dynamics = StandingDynamics(StandingRobot.of(talos, stance))
+    for step in (answer.reach, answer.approach, answer.lift):
+        assert step.trajectory.q[:, 2].min() > 0.7 * talos.q_home[2]
+        for q in step.trajectory.q[::10]:
+            assert (np.abs(dynamics.holding_efforts(q)) < 0.97 * talos.effort).all()

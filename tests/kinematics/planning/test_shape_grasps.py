@@ -4,9 +4,11 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reason
-from kinematics.planning.shape_grasps import NARROWEST_M, shape_grasps
+from kinematics.planning.shape_grasps import shape_grasps
 from kinematics.scene.planning_scene import SceneObject
+from robots.models.description import load_description
 from robots.scenes.importing.convex import convex_parts, surface_of
 from robots.scenes.importing.outline import fitted
 from tests import foreign_meshes as foreign
@@ -43,7 +45,7 @@ def gripper(talos):
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_the_first_grasp_holds_though_the_pose_is_5_mm_and_3_degrees_wrong(seed, gripper):
+def test_the_first_grasp_holds_though_the_pose_is_5_mm_and_3_degrees_wrong(seed, gripper, talos):
     rng = np.random.default_rng(seed)
     mesh = (
         foreign.bottle(rng.uniform(0.026, 0.037), rng.uniform(0.16, 0.24))
@@ -57,35 +59,35 @@ def test_the_first_grasp_holds_though_the_pose_is_5_mm_and_3_degrees_wrong(seed,
         0.005 * shift / np.linalg.norm(shift),
     )
 
-    found = shape_grasps(parts, gripper, np.eye(4))
+    found = shape_grasps(parts, talos, "right", np.eye(4))
 
     assert holds(parts, found.object_T_tcp[0] @ wrong, gripper.max_opening_m, (0.029, 0.016))
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_what_is_between_the_pads_has_the_width_that_is_told_and_its_sides_face_them(seed, gripper):
+def test_what_is_between_the_pads_has_the_width_that_is_told_and_its_sides_face_them(seed, gripper, talos):
     rng = np.random.default_rng(seed)
     parts = thing(foreign.pebble(rng, 0.045), f"stone {seed}").parts
 
-    found = shape_grasps(parts, gripper, np.eye(4))
+    found = shape_grasps(parts, talos, "right", np.eye(4))
 
     for pose, opening in list(zip(found.object_T_tcp, found.opening_m, strict=True))[:40]:
         x, y, z = ((parts.surface - pose[:3, 3]) @ pose[:3, :3]).T
         between = y[(np.abs(x) < 0.029) & (np.abs(z) < 0.05)]
         assert np.ptp(between) <= opening + 0.002
         assert abs(between.max() + between.min()) < 0.004
-        assert NARROWEST_M <= opening <= gripper.max_opening_m - 0.012
+        assert gripper.least_felt_m <= opening <= gripper.max_opening_m - 0.012
         assert pose[2, 0] < 0.1  # never from below
 
 
-def test_a_thing_held_beside_its_middle_is_told_to_be_off_centre(gripper):
+def test_a_thing_held_beside_its_middle_is_told_to_be_off_centre(talos):
     # a flag on a pole, which alone is between the pads
     pole, flag = foreign.carton((0.04, 0.04, 0.2)), foreign.carton((0.09, 0.1, 0.03))
     flag.apply_translation((0.0, 0.05, 0.085))
     mesh = foreign.trimesh.util.concatenate([pole, flag])
     parts = thing(mesh, "flag").parts
 
-    found = shape_grasps(parts, gripper, np.eye(4))
+    found = shape_grasps(parts, talos, "right", np.eye(4))
 
     assert len(found.cost)
     for pose, off in zip(found.object_T_tcp, found.off_centre_m, strict=True):
@@ -93,11 +95,11 @@ def test_a_thing_held_beside_its_middle_is_told_to_be_off_centre(gripper):
     assert np.abs(found.off_centre_m).max() > 0.01
 
 
-def test_a_table_of_it_has_the_columns_of_one_by_an_outline_and_turns_with_the_thing(gripper):
+def test_a_table_of_it_has_the_columns_of_one_by_an_outline_and_turns_with_the_thing(talos):
     shape = thing(foreign.bottle(), "bottle")
     pose = poses.transform(poses.rotation_z(0.7), (0.5, -0.2, 0.96))
 
-    table = any_grasp_table(SceneObject("bottle", shape, pose), gripper, 0.1, 0.1, (0.12,), 0.5)
+    table = any_grasp_table(SceneObject("bottle", shape, pose), talos, "right", 0.1, 0.1, (0.12,), 0.5)
 
     assert np.all(np.diff(table.cost) >= 0.0)
     assert table.cost[0] >= 0.5
@@ -107,11 +109,11 @@ def test_a_table_of_it_has_the_columns_of_one_by_an_outline_and_turns_with_the_t
     assert np.linalg.norm(grasp.world_T_tcp[:2, 3] - pose[:2, 3]) < 0.03
 
 
-def test_what_fits_its_outline_is_grasped_by_that(gripper):
+def test_what_fits_its_outline_is_grasped_by_that(talos):
     shape = thing(foreign.can(), "can")
     item = SceneObject("can", shape, poses.translation(0.5, -0.2, 0.9))
 
-    table = any_grasp_table(item, gripper, 0.0, 0.1, (0.12,), 0.0)
+    table = any_grasp_table(item, talos, "right", 0.0, 0.1, (0.12,), 0.0)
 
     assert table.name(0).startswith("yaw")
 
@@ -125,7 +127,7 @@ def test_what_fits_its_outline_is_grasped_by_that(gripper):
     ],
     ids=["plate", "globe", "bowl"],
 )
-def test_what_a_hand_cannot_take_is_refused_with_the_reason(mesh, said, gripper):
+def test_what_a_hand_cannot_take_is_refused_with_the_reason(mesh, said, talos):
     import re
 
     shape = thing(mesh, said)
@@ -139,7 +141,19 @@ def test_what_a_hand_cannot_take_is_refused_with_the_reason(mesh, said, gripper)
     )
     outline = Box(tuple(np.ptp(forced.corners, axis=0).tolist()), forced)
 
-    reason = no_grasp_reason(SceneObject("thing", outline, np.eye(4)), gripper)
+    reason = no_grasp_reason(SceneObject("thing", outline, np.eye(4)), talos, "right")
 
     assert reason is not None
     assert re.search(said, reason)
+
+
+def test_two_slim_fingers_take_a_wide_mug_by_its_wall_or_handle_and_thick_ones_do_not(talos):
+    parts = thing(foreign.mug(0.055, 0.09), "a wide mug").parts
+    panda = RobotModel(load_description("panda"))
+
+    slim, thick = (shape_grasps(parts, one, "right", np.eye(4)) for one in (panda, talos))
+
+    assert len(slim.cost) > 10
+    assert slim.opening_m.max() < 0.03
+    assert holds(parts, slim.object_T_tcp[0], 0.08, (0.009, 0.011))
+    assert not len(thick.cost)

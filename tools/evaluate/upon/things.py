@@ -7,7 +7,6 @@ they stay where the scene has them, and the robot begins about where it has it s
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -19,16 +18,12 @@ from executive.session.task_result import TaskResult
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
-from kinematics.model.stance import stance_at
-from kinematics.planning.pick_planner import PickPlanner
-from kinematics.requests.pick import PickPlan, PickRequest
-from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from robots.models.description import load_description
 from robots.scenes.scene_description import Furniture, RobotStart, SceneItem
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders
+from tools.evaluate.upon.takeable import asked_for_in, bolted_before, hands_of, named_alone
 from trees.tasks import ObjectDescription, PickTask
 
 LIFTED_M = 0.08
@@ -38,9 +33,6 @@ _APART_M = 0.05
 _LARGEST_M = 0.16
 """What reaches farther from its middle than this leaves no room for others."""
 _DRAWS = 40
-_TURNS, _ASIDE_M = 4, 0.2
-_TOP_M, _WIDE_M, _MARGIN_M = 0.04, 1.2, 0.01
-"""Of a table's top that a thing stands on alone, and what is kept from both."""
 _START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
 _SMALL_M = 0.9
 """A humanoid whose base is lower than this at home stands before a low table."""
@@ -81,14 +73,18 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
         ValueError: The robot's hands can take none of them.
     """
     pool = load_scene(scene)
-    hands = _hands_of(robot)
-    where = hands.where
+    hands = hands_of(robot)
+    where = _workspace_of(hands.model)
     table = rooms.table(rng, where)
     objects: list[SceneItem] = []
     wanted = int(rng.integers(_COUNT[0], _COUNT[1] + 1))
     for index in rng.permutation(len(pool.objects)):
         item = pool.objects[int(index)]
-        if _named_alone(item, objects) and _radius_m(item) < _LARGEST_M and (objects or hands.take(item)):
+        if (
+            named_alone(item, objects)
+            and _radius_m(item) < _LARGEST_M
+            and (objects or hands.take_alone(item))
+        ):
             placed = _placed(rng, item, table, objects, where)
             objects += [] if placed is None else [placed]
         if len(objects) == wanted:
@@ -101,75 +97,23 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     return Trial(rooms.room("things", rng, [table], objects), (task,), aim, sentence=said)
 
 
-def _named_alone(item: SceneItem, others: Sequence[SceneItem]) -> bool:
-    """Whether no other thing's name is a part of its own, or the other way round."""
-    return not any(item.name in one.name or one.name in item.name for one in others if one is not item)
-
-
 def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
-    """A scene as it is, and one of its things asked for.
+    """A scene as it is, and one of its things asked for; an arm is bolted down where it reaches that.
 
     Raises:
         ValueError: The robot's hands can take none of them.
     """
-    there, hands = load_scene(scene), _hands_of(robot)
-    takeable = [item for item in there.objects if _named_alone(item, there.objects) and hands.take(item)]
-    if not takeable:
-        raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it")
-    aim = takeable[int(rng.integers(len(takeable)))].name
-    off_m, start = rng.uniform(-_START_OFF_M, _START_OFF_M, 2), there.robot_start
+    there, takeable = load_scene(scene), asked_for_in(scene, robot)
+    aim = takeable[int(rng.integers(len(takeable)))]
+    start = there.robot_start
+    if hands_of(robot).model.description.welded:
+        start = bolted_before(next(item for item in there.objects if item.name == aim), there)[0]
+    off_m = rng.uniform(-_START_OFF_M, _START_OFF_M, 2)
     turned = start.yaw_rad + float(rng.uniform(-_START_TURNED_RAD, _START_TURNED_RAD))
     began = RobotStart(start.x_m + float(off_m[0]), start.y_m + float(off_m[1]), turned)
     said = f"pick up the {aim}"
     task = PickTask(said, ObjectDescription(name=aim))
     return Trial(replace(there, robot_start=began), (task,), aim, sentence=said)
-
-
-class _Hands:
-    """What a robot's hands can take of what stands alone before it, by its mesh.
-
-    Args:
-        robot: Its name.
-
-    Attributes:
-        where: What is within its reach.
-    """
-
-    def __init__(self, robot: str) -> None:
-        self._model = model = RobotModel(load_description(robot))
-        self.where = where = _workspace_of(model)
-        self._stance, self._planner = stance_at(model, model.q_home), PickPlanner(model)
-        edge_m, deep_m, self._high_m = (
-            0.5 * sum(ends) for ends in (where.edge_ahead_m, where.table_depth_m, where.table_height_m)
-        )
-        self._ahead_m = edge_m + 0.5 * where.deepest_m
-        at = poses.translation(edge_m + 0.5 * deep_m, 0.0, self._high_m - 0.5 * _TOP_M)
-        top = SceneObject("top", Box((deep_m, _WIDE_M, _TOP_M)), at, _MARGIN_M, movable=False)
-        self._scene = PlanningScene().with_object(top)
-        self._known: dict[str, bool] = {}
-
-    def take(self, item: SceneItem) -> bool:
-        """Whether one can, turned some way or other."""
-        known = item.mesh or item.name
-        if known not in self._known:
-            self._known[known] = any(
-                self._taken(item, side, float(turn_rad))
-                for turn_rad in np.linspace(0.0, math.pi, _TURNS, endpoint=False)
-                for side in (_ASIDE_M, -_ASIDE_M)
-            )
-        return self._known[known]
-
-    def _taken(self, item: SceneItem, aside_m: float, turn_rad: float) -> bool:
-        place = (self._ahead_m, aside_m, self._high_m + 0.5 * item.shape.height_m)
-        pose = poses.transform(poses.rotation_z(turn_rad), place)
-        scene = self._scene.with_object(SceneObject(item.name, item.shape, pose, _MARGIN_M))
-        hands = self._model.description.gripping_hands
-        request = PickRequest(self._model.q_home, self._stance, scene, item.name, hands)
-        return isinstance(self._planner.plan(request), PickPlan)
-
-
-_hands_of = functools.lru_cache(maxsize=4)(_Hands)
-"""A worker runs many episodes of one robot."""
 
 
 def _workspace_of(model: RobotModel) -> rooms.Workspace:

@@ -10,7 +10,7 @@ from py_trees.common import Status
 
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import SceneObject
-from kinematics.scene.support_of import support_of
+from kinematics.scene.support_of import lowest_point_m, support_of
 from robots.perception.object_estimate import ObjectEstimate
 from trees.beliefs.grounding.grounding import Ambiguous, Choice, Found, Missing, compares, ground
 from trees.beliefs.grounding.questions import which_is_meant
@@ -42,7 +42,8 @@ class Detect(LookLeaf):
     Everything that the robot believes to be there counts, also what is out of view now. When the task means
     several objects, the nearest becomes the target, and the names of the others are written as well. It fails
     when nothing that fits is seen, when several things fit (the failure's ``choices`` name them), and when
-    the furniture below the target is not known, since a motion would hit a table that was not seen. A search
+    the furniture below the target is not known, since a motion would hit a table that was not seen; what is
+    on the floor is left there. A search
     looks in several directions; that one look does not show the object is an answer, not a failure.
     """
 
@@ -156,7 +157,11 @@ class Detect(LookLeaf):
                 reason = Reason.OUT_OF_VIEW
                 self._set_output("target", _as_believed(name, scene.objects[name]))
             return Failure.postcondition(message, seen=_words(seen)).because(reason)
-        if support_of(scene.objects[name], scene, self.toolbox.policy.support_gap_m) is None:
+        gap_m = self.toolbox.policy.support_gap_m
+        if support_of(scene.objects[name], scene, gap_m) is None:
+            if abs(lowest_point_m(scene.objects[name])) <= gap_m:
+                message = f"the {words} is on the floor; hands take only what is on furniture"
+                return Failure.infeasible(message).because(Reason.ON_FLOOR)
             message = f"what the {words} stands on is not seen"
             return Failure.postcondition(message, seen=_words(seen)).because(Reason.NOT_SEEN)
         self._set_output("others", names[1:])

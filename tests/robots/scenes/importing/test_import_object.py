@@ -3,9 +3,10 @@ import sys
 import numpy as np
 import pytest
 
-from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.errors import CannotImportError
 from robots.scenes.importing.import_object import import_object, label_of
+from robots.scenes.importing.outline import fitted
 from robots.scenes.meshes.object_model import read_model
 from robots.scenes.meshes.sidecar import Sidecar, read_sidecar
 from robots.scenes.scene_file import load_scene
@@ -160,3 +161,13 @@ def test_what_is_slim_stands_on_its_end_though_it_lies_as_safely(tmp_path, up, s
 
     assert np.ptp(made.model.vertices[:, 2]) == pytest.approx(size[2], abs=1e-6)
     assert "up" in made.guesses.reasons
+
+
+def test_the_outline_of_what_is_no_ball_stands_on_its_foot():
+    """A stone fits a ball best of the three, badly, and that would reach far below it."""
+    stone = np.asarray(foreign.pebble(np.random.default_rng(2), 0.05).vertices)
+
+    outline = fitted(stone).outline
+
+    assert not isinstance(outline, Ball)
+    assert outline.height_m == pytest.approx(np.ptp(stone[:, 2]), abs=1e-6)

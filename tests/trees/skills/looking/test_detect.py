@@ -5,6 +5,7 @@ from py_trees.common import Status
 from robots.fake.fake_world import cup, table
 from trees.beliefs.sight.sight import in_view
 from trees.failures import FailureKind
+from trees.nodes.judgements import looking_elsewhere_is_useless
 from trees.policy import Gaze
 from trees.skills.looking.detect import Detect
 from trees.skills.looking.look_at import LookAt
@@ -98,6 +99,17 @@ def test_an_object_whose_table_was_not_seen_is_not_gone_for(stage):
 
     assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
     assert leaf.failure.message == "what the red cup stands on is not seen"
+
+
+def test_an_object_on_the_floor_is_refused_as_such_and_not_looked_for_elsewhere(stage_with):
+    stage = stage_with(table(), cup(place_m=(1.3, -0.9), table_height_m=0.0))
+    stage.run(LookAt("look", stage.toolbox, Gaze("to the right", 0.75, -0.6)))
+    leaf = Detect("detect", stage.toolbox)
+
+    assert stage.run(leaf, task=RED_CUP) is Status.FAILURE
+    assert leaf.failure.message == "the red cup is on the floor; hands take only what is on furniture"
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert looking_elsewhere_is_useless(leaf.failure)
 
 
 def test_an_object_on_other_furniture_than_asked_for_does_not_fit(stage):

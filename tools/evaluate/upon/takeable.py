@@ -1,0 +1,167 @@
+"""Which things of a scene the hands of a robot could take where they are, and why not the others.
+
+A hand keeps from furniture and from other things what the executive has it keep: where these are is not known
+better. All else about how a robot takes hold of things is left out.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from kinematics.collision.validity import hand_judge
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from kinematics.model.robot_description import Hand
+from kinematics.model.robot_model import RobotModel
+from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, grasp_table
+from kinematics.planning.pick_task import APPROACH_M
+from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
+from kinematics.scene.support_of import TOUCHING_M, support_of
+from robots.models.description import load_description
+from robots.scenes.scene_description import RobotStart, SceneDescription, SceneItem
+from robots.scenes.scene_file import load_scene
+from robots.scenes.scene_solids import planning_scene
+from tools.evaluate.upon.hand_alone import hand_takes
+from trees.policy import TreePolicy
+
+_TOP_M, _WIDE_M, _HIGH_M = 0.04, 1.2, 0.8
+"""Of a table's top that a thing stands on alone."""
+_ARM_AWAY_M, _SIDES, _PEDESTAL_M = (0.5, 0.55, 0.45, 0.6, 0.65), 16, 0.17
+"""How far from a thing an arm is bolted down, on one of so many sides, and what its pedestal needs around."""
+_HEADINGS_RAD = (0.0, 0.5 * math.pi, math.pi, -0.5 * math.pi)
+
+
+class Hands:
+    """What a robot's hands can take, if they had no arms.
+
+    Args:
+        robot: Its name.
+
+    Attributes:
+        model: The robot.
+    """
+
+    def __init__(self, robot: str) -> None:
+        self.model = RobotModel(load_description(robot))
+        at = poses.translation(0.0, 0.0, _HIGH_M - 0.5 * _TOP_M)
+        margin_m = TreePolicy().furniture_margin_m
+        top = SceneObject("top", Box((_WIDE_M, _WIDE_M, _TOP_M)), at, margin_m, movable=False)
+        self._table = PlanningScene().with_object(top)
+        self._known: dict[str, bool] = {}
+
+    def take_alone(self, item: SceneItem) -> bool:
+        """Whether one of them can take something that stands on a table with nothing beside it."""
+        known = item.mesh or item.name
+        if known not in self._known:
+            pose = poses.translation(0.0, 0.0, _HIGH_M + 0.5 * item.shape.height_m)
+            scene = self._table.with_object(SceneObject(item.name, item.shape, pose))
+            self._known[known] = self.take(scene, item.name)
+        return self._known[known]
+
+    def take(self, scene: PlanningScene, target: str) -> bool:
+        """Whether one of them can take something among all that is there."""
+        return any(self._takes(hand, scene, target) for hand in self.model.description.gripping_hands)
+
+    def _takes(self, hand: Hand, scene: PlanningScene, target: str) -> bool:
+        gripper = self.model.description.grippers[hand]
+        if gripper.palm_side_m is None:
+            return hand_takes(self.model, hand, scene, target)
+        # fingers that close on a palm take hold of an outline, in the ways in which they do so at all
+        heights = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        judge = hand_judge(self.model, hand, scene, target, 0.0)
+        tables = (
+            grasp_table(scene.objects[target], gripper, heading, APPROACH_M, heights)
+            for heading in _HEADINGS_RAD
+        )
+        ways = (0.0, -0.5 * APPROACH_M, -APPROACH_M)
+        return any(bool(judge.fits_along(table.world_T_tcp, ways).any()) for table in tables if len(table))
+
+
+hands_of = functools.lru_cache(maxsize=4)(Hands)
+"""A worker runs many episodes of one robot."""
+
+
+def why_not_asked_for(scene: SceneDescription, hands: Hands) -> Mapping[str, str]:
+    """Of each thing why nobody can be asked to pick it up there; empty of what a hand could take.
+
+    Args:
+        scene: Where the things are.
+        hands: The robot's.
+    """
+    kept = TreePolicy()
+    there = planning_scene(scene).with_object(floor()).objects.values()
+    solids = PlanningScene().with_objects(
+        replace(one, margin_m=kept.object_margin_m if one.movable else kept.furniture_margin_m)
+        for one in there
+    )
+    return {item.name: _why_not(item, scene, solids, hands) for item in scene.objects}
+
+
+def _why_not(item: SceneItem, scene: SceneDescription, solids: PlanningScene, hands: Hands) -> str:
+    if not named_alone(item, scene.objects):
+        return "others are called so"
+    on = support_of(solids.objects[item.name], solids, TOUCHING_M)
+    if on is None or on.name == floor().name:
+        return "stands on no furniture"
+    if hands.model.description.welded and not bolted_before(item, scene):
+        return "nowhere within an arm's reach of it has a pedestal room"
+    if not hands.take_alone(item):
+        return "no hand can take it even where nothing else is"
+    return "" if hands.take(solids, item.name) else "no hand has room beside it"
+
+
+def bolted_before(item: SceneItem, scene: SceneDescription) -> list[RobotStart]:
+    """Where an arm may be bolted down that is to reach a thing, looking at it; best first.
+
+    Args:
+        item: The thing.
+        scene: What stands around.
+    """
+    solids = [one for one in planning_scene(scene).objects.values() if one.name != item.name]
+    x, y = item.world_T_object[:2, 3].tolist()
+    starts = (
+        RobotStart(x - away_m * math.cos(yaw), y - away_m * math.sin(yaw), yaw)
+        for away_m in _ARM_AWAY_M
+        for yaw in np.linspace(-math.pi, math.pi, _SIDES, endpoint=False).tolist()
+    )
+    return [start for start in starts if all(_beside_m(start, one) > _PEDESTAL_M for one in solids)]
+
+
+def _beside_m(start: RobotStart, solid: SceneObject) -> float:
+    """From the middle of a base to the nearest point of a solid, along the floor."""
+    place = np.array([start.x_m, start.y_m, 0.0])
+    off = solid.world_T_object[:3, :3].T @ (place - solid.world_T_object[:3, 3] * (1.0, 1.0, 0.0))
+    if isinstance(solid.shape, Box):
+        return float(
+            np.linalg.norm(np.maximum(np.abs(off[:2]) - 0.5 * np.array(solid.shape.size_m[:2]), 0.0))
+        )
+    return float(np.linalg.norm(off[:2]) - solid.shape.radius_m)
+
+
+def named_alone(item: SceneItem, others: tuple[SceneItem, ...] | list[SceneItem]) -> bool:
+    """Whether no other thing's name is a part of its own, or the other way round."""
+    return not any(item.name in one.name or one.name in item.name for one in others if one is not item)
+
+
+@functools.lru_cache(maxsize=8)
+def asked_for_in(scene: str, robot: str) -> tuple[str, ...]:
+    """Names of what a robot may be asked to pick up in a scene as it is.
+
+    Args:
+        scene: Its name or file.
+        robot: The robot's name.
+
+    Raises:
+        ValueError: There is nothing; it says why of each thing.
+    """
+    reasons = why_not_asked_for(load_scene(scene), hands_of(robot))
+    found = tuple(name for name, reason in reasons.items() if not reason)
+    if not found:
+        told = "; ".join(f"{name}: {reason}" for name, reason in reasons.items())
+        raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it ({told})")
+    return found
