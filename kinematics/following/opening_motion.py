@@ -12,11 +12,13 @@ from kinematics.geometry import poses
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.standing.reserves import BRAKING_RESERVE_M
+from kinematics.standing.reserves import BRAKING_RESERVE_M, COM_RESERVE_M
 
 GRAVITY_M_S2 = 9.81
 
 
+_COM_ROOM_M = 0.01
+"""A CoM that is shifted stays by so much inside what is asked of it: the shift overshoots."""
 BREAK_FREE_N, MOVING_N = 25.0, 6.0
 """Pull for which the CoM is shifted before a door gives way, and while it moves."""
 
@@ -37,7 +39,7 @@ GATHERING = 2.0
 
 
 def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: float) -> Array:
-    """How far back the CoM has to be for a pull, m, shape (2,).
+    """How far back the CoM has to be for a pull, m, shape (2,); no farther than the checker lets it.
 
     Args:
         robot: Where it stands; the pull tips it about the plane of the soles.
@@ -46,7 +48,13 @@ def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: fl
         force_n: How hard it pulls.
     """
     height_m = at_z_m - robot.stance.height_m
-    return np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
+    shift_m = force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2)
+    corners = robot.polygon.vertices_m
+    if len(corners):
+        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+        kept_m = robot.model.description.com_margin_m + COM_RESERVE_M + _COM_ROOM_M
+        shift_m = min(shift_m, max(0.0, robot.polygon.com_margin_m(middle) - kept_m))
+    return np.asarray(outward[:2] * shift_m)
 
 
 def speed_along(path: OpeningPath) -> float:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
 from kinematics.model.camera_description import CameraDescription
+from kinematics.model.handle_settings import BarGrip, HandleStanding
 from kinematics.model.walking_settings import WalkingSettings
 
 if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
@@ -118,6 +119,7 @@ class GripperDescription:
         side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
+        bar: How it takes hold of a bar.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
         cannot_put_in: Why it puts nothing into what has a rim; empty when it does.
     """
@@ -154,6 +156,7 @@ class GripperDescription:
     felt_n: float = 6.0
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
+    bar: BarGrip = BarGrip()
     cannot_grip_bars: str = ""
     cannot_put_in: str = ""
 
@@ -255,6 +258,7 @@ class RobotDescription:
         reach_m: No hand gets farther than this from its shoulder, a trunk that leans included.
         lean_rad: To reach something the pelvis leans forward or back by no more, aside by two thirds.
         foot_sensors: Whether its feet feel what the floor does; else the legs' efforts tell it.
+        handles: Where it stands to open and close things.
     """
 
     name: str
@@ -286,6 +290,7 @@ class RobotDescription:
     reach_m: float = 1.15
     lean_rad: float = 0.9
     foot_sensors: bool = True
+    handles: HandleStanding = HandleStanding()
 
     @property
     def actuated(self) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from typing import Annotated, Literal, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
 from kinematics.model.camera_description import CameraDescription
+from kinematics.model.handle_settings import BarGrip, HandleStanding
 from kinematics.model.robot_description import Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
@@ -191,6 +192,7 @@ class GripperTable(StrictTable):
     felt_n: FiniteFloat = 6.0
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
+    bar: Annotated[BarGrip, AsTable()] = BarGrip()
     cannot_grip_bars: str = ""
     cannot_put_in: str = ""
     deadband_rad: FiniteFloat = 0.004
@@ -239,5 +241,6 @@ class DescriptionDocument(StrictTable):
     noise: Annotated[SensorNoise, AsTable()]
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
+    handles: Annotated[HandleStanding, AsTable()] = HandleStanding()
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
     rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)

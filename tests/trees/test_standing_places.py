@@ -9,6 +9,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.handle_settings import HandleStanding
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.load import Load
@@ -56,7 +57,7 @@ def test_before_a_door_the_hinge_is_ahead_and_on_the_side_of_the_hand(side, yaw)
     hands = ("left",) if side > 0.0 else ("right",)
     target = HandleTarget("door", "handle", "door", arc, 0.0, hands)
 
-    body = handle_standing_place(target, PlanarPose())
+    body = handle_standing_place(target, PlanarPose(), HandleStanding())
     hinge = body.to(PlanarPose(3.0, 1.0, yaw))
 
     assert (hinge.x_m, hinge.y_m) == pytest.approx((0.80, side * 0.75))
@@ -67,7 +68,7 @@ def test_before_a_drawer_one_stands_on_the_side_where_one_is():
     line = DrawerLine(np.array([2.0, 0.0, 0.9]), math.pi / 2.0)
     target = HandleTarget("drawer", "handle", "drawer", line, 0.0, ("left", "right"))
 
-    body = handle_standing_place(target, PlanarPose(3.0, -1.0))
+    body = handle_standing_place(target, PlanarPose(3.0, -1.0), HandleStanding())
     bar = body.to(PlanarPose(2.0, 0.0))
 
     assert (bar.x_m, abs(bar.y_m)) == pytest.approx((0.66, 0.34))

@@ -7,6 +7,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
+from kinematics.model.palm_grip import way_to_bar
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.move import RetreatRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
@@ -72,13 +73,13 @@ class StepBack(PlannedMotionLeaf):
             return None
         if target.pushed and (self._clear or left is None):
             return None
-        frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
+        gripper = toolbox.model.description.grippers[grasp.hand]
         q = toolbox.motion.reference()
         bar_m = toolbox.world.scene.objects[target.handle].world_T_object[:3, 3]
         away_m = float(np.linalg.norm(tcp_m(toolbox, grasp, q) - bar_m))
         if away_m > (_BESIDE_M if self._clear else _NEAR_M) and not target.pushed:
             return None
-        back = -_BACK_M * toolbox.model.frame_pose(q, frame)[:3, 0]
+        back = -_BACK_M * toolbox.model.frame_pose(q, gripper.tcp_frame)[:3, :3] @ way_to_bar(gripper)
         if self._clear or target.pushed:
             back = _CLEAR_M * outwards(toolbox.world.scene, target)
         x, y, z = (float(value) for value in back)

@@ -1,0 +1,49 @@
+"""How a robot takes hold of handles, and where it stands to lead them, as its description says it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class BarGrip:
+    """How a hand takes hold of a bar. The defaults are those of pads that close on either side of it.
+
+    Attributes:
+        approach_rad: How far the way on which the hand comes to the bar is turned from x about the TCP's z, of
+            the left hand's: a palm is laid on the bar, and the fingers close behind it.
+        along_m: Where along the fingers, from the TCP, the bar is to be when they close on it.
+        turns_rad: How far the hand is turned about the bar, away from the hinge of a door, against coming to it
+            squarely; what lets the arm follow farthest comes first.
+    """
+
+    approach_rad: float = 0.0
+    along_m: float = 0.0
+    turns_rad: tuple[float, float, float, float] = (
+        math.radians(20),
+        math.radians(0),
+        math.radians(40),
+        math.radians(-20),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class HandleStanding:
+    """Where a robot stands to open or close something. The defaults are TALOS's: docs/notes/doors.md.
+
+    Attributes:
+        hinge_ahead_m, hinge_aside_m, door_turned_rad: The plane of a door's hinge ahead, the hinge to the side
+            of the hand, and the door turned towards it.
+        bar_ahead_m, bar_aside_m: A drawer's bar, before the shoulder.
+        near_m, near_rad: A robot that stands so near to the place does not walk: the planner says whether the
+            handle is in reach.
+    """
+
+    hinge_ahead_m: float = 0.80
+    hinge_aside_m: float = 0.75
+    door_turned_rad: float = 0.15
+    bar_ahead_m: float = 0.66
+    bar_aside_m: float = 0.34
+    near_m: float = 0.22
+    near_rad: float = 0.25
