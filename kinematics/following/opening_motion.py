@@ -9,6 +9,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.model.handle_settings import BarGrip
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
@@ -26,8 +27,8 @@ BREAK_FREE_N, MOVING_N = 25.0, 6.0
 DOOR_SPEED_RAD_S, DRAWER_SPEED_M_S = math.radians(15.0), 0.12
 
 
-FREE_SPIN, HELD_SPIN = 0.001, 0.3
-"""Weights of the hand's turn about the bar: left open on a door, nearly kept on a drawer."""
+HELD_SPIN = 0.3
+"""Weight of the hand's turn about the bar, on a drawer: nearly kept. On a door the hand's own counts."""
 
 
 SPIN_FADES = 0.93
@@ -62,9 +63,9 @@ def speed_along(path: OpeningPath) -> float:
     return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
 
 
-def spin_along(path: OpeningPath) -> float:
+def spin_along(path: OpeningPath, bar: BarGrip) -> float:
     """How much the hand's turn about the bar matters while the path is followed."""
-    return FREE_SPIN if isinstance(path, DoorArc) else HELD_SPIN
+    return bar.spin if isinstance(path, DoorArc) else HELD_SPIN
 
 
 def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:

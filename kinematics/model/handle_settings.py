@@ -16,6 +16,8 @@ class BarGrip:
         along_m: Where along the fingers, from the TCP, the bar is to be when they close on it.
         turns_rad: How far the hand is turned about the bar, away from the hinge of a door, against coming to it
             squarely; what lets the arm follow farthest comes first.
+        spin: Weight of the hand's turn about the bar while a door is led: pads leave it nearly open, fingers
+            that are around the bar meet the door unless they turn with it.
     """
 
     approach_rad: float = 0.0
@@ -26,6 +28,7 @@ class BarGrip:
         math.radians(40),
         math.radians(-20),
     )
+    spin: float = 0.001
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +38,8 @@ class HandleStanding:
     Attributes:
         hinge_ahead_m, hinge_aside_m, door_turned_rad: The plane of a door's hinge ahead, the hinge to the side
             of the hand, and the door turned towards it.
+        upright_aside_m: A door's bar to that side, for arms whose reach decides, not the door's width: the hinge
+            is then where it is. None where ``hinge_aside_m`` says it.
         bar_ahead_m, bar_aside_m: A drawer's bar, before the shoulder.
         near_m, near_rad: A robot that stands so near to the place does not walk: the planner says whether the
             handle is in reach.
@@ -43,6 +48,7 @@ class HandleStanding:
     hinge_ahead_m: float = 0.80
     hinge_aside_m: float = 0.75
     door_turned_rad: float = 0.15
+    upright_aside_m: float | None = None
     bar_ahead_m: float = 0.66
     bar_aside_m: float = 0.34
     near_m: float = 0.22

@@ -25,9 +25,10 @@ def handle_standing_place(target: HandleTarget, body: PlanarPose, where: HandleS
     path = target.path
     if isinstance(path, DoorArc):
         hinge = PlanarPose(float(path.hinge_m[0]), float(path.hinge_m[1]), path.closed_yaw_rad)
-        seen = PlanarPose(
-            where.hinge_ahead_m, path.side * where.hinge_aside_m, path.side * where.door_turned_rad
-        )
+        aside_m = where.hinge_aside_m
+        if where.upright_aside_m is not None:
+            aside_m = where.upright_aside_m + path.radius_m
+        seen = PlanarPose(where.hinge_ahead_m, path.side * aside_m, path.side * where.door_turned_rad)
         return hinge @ seen.inverse()
     if isinstance(path, DrawerLine):
         bar = PlanarPose(float(path.closed_m[0]), float(path.closed_m[1]), path.yaw_rad)
