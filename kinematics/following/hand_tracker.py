@@ -49,7 +49,7 @@ _COM_RATE_M = 0.0008
 _ABOVE_HOME_M = 0.04
 """The pelvis rises no more than this above home: knees that are nearly straight must move too fast."""
 _RISES, _DRAWN_BACK_M = 21, 0.12
-"""Legs that are short for that are stretched before: so many heights are tried, with the pelvis so far back."""
+"""Short legs are stretched before that: so many heights are tried, with the pelvis drawn back so far."""
 _BASE_ROOM = np.array([0.13, 0.15, 0.16])
 """The pelvis stays within this of where the motion began, m."""
 _LOWEST_SHARE = 0.73

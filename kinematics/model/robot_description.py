@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
 from kinematics.model.camera_description import CameraDescription
-from kinematics.model.handle_settings import BarGrip, HandleStanding
+from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
 from kinematics.model.walking_settings import WalkingSettings
 
 if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
@@ -156,7 +156,7 @@ class GripperDescription:
     felt_n: float = 6.0
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
-    bar: BarGrip = BarGrip()
+    bar: BarGrip = PADS_ON_A_BAR
     cannot_grip_bars: str = ""
     cannot_put_in: str = ""
 
@@ -290,7 +290,7 @@ class RobotDescription:
     reach_m: float = 1.15
     lean_rad: float = 0.9
     foot_sensors: bool = True
-    handles: HandleStanding = HandleStanding()
+    handles: HandleStanding = FAR_REACH
 
     @property
     def actuated(self) -> tuple[str, ...]:

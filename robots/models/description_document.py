@@ -10,7 +10,7 @@ from typing import Annotated, Literal, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
 from kinematics.model.camera_description import CameraDescription
-from kinematics.model.handle_settings import BarGrip, HandleStanding
+from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
 from kinematics.model.robot_description import Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
@@ -192,7 +192,7 @@ class GripperTable(StrictTable):
     felt_n: FiniteFloat = 6.0
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
-    bar: Annotated[BarGrip, AsTable()] = BarGrip()
+    bar: Annotated[BarGrip, AsTable()] = PADS_ON_A_BAR
     cannot_grip_bars: str = ""
     cannot_put_in: str = ""
     deadband_rad: FiniteFloat = 0.004
@@ -241,6 +241,6 @@ class DescriptionDocument(StrictTable):
     noise: Annotated[SensorNoise, AsTable()]
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
-    handles: Annotated[HandleStanding, AsTable()] = HandleStanding()
+    handles: Annotated[HandleStanding, AsTable()] = FAR_REACH
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
     rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)

@@ -31,6 +31,8 @@ _BESIDE_M = 0.25
 _STEADY_M = 0.075
 """Of the CoM inside the edge: nobody leans out to get away from a door."""
 _BACK_SHARES, _CLEAR_SHARES = (1.0, 0.7), (1.0, 0.6, 0.35)
+_PALM_SHARES, _PALM_TURNS_RAD = (1.0, 0.7, 0.5), (0.0, 0.3, -0.3)
+"""A palm stands square to where it goes: what its wrist cannot follow straight it does turned."""
 _CLEAR_TURNS_RAD = (0.0, 0.5, -0.5, 1.0, -1.0)
 """A hand that is clear of the bar may turn: a wrist at its limit would take the whole body along."""
 
@@ -80,8 +82,12 @@ class StepBack(PlannedMotionLeaf):
         if away_m > (_BESIDE_M if self._clear else _NEAR_M) and not target.pushed:
             return None
         back = -_BACK_M * toolbox.model.frame_pose(q, gripper.tcp_frame)[:3, :3] @ way_to_bar(gripper)
+        shares, turns_rad = _BACK_SHARES, (0.0,)
         if self._clear or target.pushed:
             back = _CLEAR_M * outwards(toolbox.world.scene, target)
+            shares, turns_rad = _CLEAR_SHARES, _CLEAR_TURNS_RAD
+        elif gripper.palm_side_m is not None:
+            shares, turns_rad = _PALM_SHARES, _PALM_TURNS_RAD
         x, y, z = (float(value) for value in back)
         return RetreatRequest(
             q_start=q,
@@ -91,8 +97,8 @@ class StepBack(PlannedMotionLeaf):
             world_offset_m=(x, y, z),
             steady_m=_STEADY_M,
             concessions=hand_concessions(toolbox, target, grasp, "retreat"),
-            shares=_CLEAR_SHARES if self._clear or target.pushed else _BACK_SHARES,
-            turns_rad=_CLEAR_TURNS_RAD if self._clear or target.pushed else (0.0,),
+            shares=shares,
+            turns_rad=turns_rad,
         )
 
     def step(self) -> Status | Failure:
