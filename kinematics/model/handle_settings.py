@@ -43,6 +43,8 @@ class HandleStanding:
         bar_ahead_m, bar_aside_m: A drawer's bar, before the shoulder.
         near_m, near_rad: A robot that stands so near to the place does not walk: the planner says whether the
             handle is in reach.
+        push_share: It pushes doors shut at such a share of the heights and distances from the hinge at which
+            TALOS does.
     """
 
     hinge_ahead_m: float = 0.80
@@ -53,6 +55,7 @@ class HandleStanding:
     bar_aside_m: float = 0.34
     near_m: float = 0.22
     near_rad: float = 0.25
+    push_share: float = 1.0
 
 
 PADS_ON_A_BAR, FAR_REACH = BarGrip(), HandleStanding()

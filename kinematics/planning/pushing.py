@@ -26,7 +26,8 @@ from kinematics.scene.planning_scene import SceneObject
 
 APPROACH_M = 0.07
 _PLACES_M = ((0.40, 1.05), (0.30, 1.05), (0.48, 1.38), (0.36, 1.25), (0.24, 1.05))
-"""Distance from the hinge and height, m: clear of where handles are, far out first."""
+"""Distance from the hinge and height, m: clear of where handles are, far out first; smaller robots push at a
+share of both."""
 _FOLLOWED = (0.8, 0.6, 1.0, 0.4)
 """Of the door's angle: the hand is turned by so much less than square to the front."""
 _BAR_DEPTH_M, _BAR_WIDE_M, _BAR_INSET_M, _BAR_BOTTOM_M = 0.07, 0.08, 0.07, 0.75
@@ -53,9 +54,10 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
     along = _along(path, outward)
     hinge = np.array([*path.hinge_m, 0.0])
     thickness_m, width_m, _ = front.shape.size_m
+    share = model.description.handles.push_share
     for hand in request.hands:
         points = hand_points(model, hand, request.q_start)
-        for away_m, height_m in _PLACES_M:
+        for away_m, height_m in (np.array(_PLACES_M) * share).tolist():
             for followed in _FOLLOWED:
                 label = f"push at {away_m:.2f} {height_m:.2f} turned {followed:.1f}"
                 if away_m > width_m or key_of(hand, label) in request.excluded:

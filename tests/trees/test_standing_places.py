@@ -220,3 +220,16 @@ def test_things_on_furniture_do_not_keep_a_load_away():
     assert not WalkingRoom(load_description("talos").walking, HELD).load_meets(
         PlanningScene().with_objects([bottle]), [PlanarPose()]
     )
+
+
+def test_a_robot_stands_where_the_bar_of_a_door_of_any_width_is_before_its_shoulder():
+    where = load_description("g1").handles
+    asides = []
+    for radius_m in (0.38, 0.54):
+        arc = DoorArc(np.array([2.0, 0.5]), 0.3, 1.0, radius_m, 0.075, 0.9)
+        target = HandleTarget("door", "bar", "door", arc, 0.0, ("left",))
+        body = handle_standing_place(target, PlanarPose(), where)
+        bar = arc.at(0.0).position_m
+        asides.append(body.to(PlanarPose(float(bar[0]), float(bar[1]))).y_m)
+
+    assert abs(asides[0] - asides[1]) < 0.02

@@ -25,7 +25,7 @@ _DRAWS = 20
 
 @dataclass(frozen=True, slots=True)
 class OpeningOrder:
-    """Which episode to run, how the robot sees in it (None: as the scene says), and before whose furniture."""
+    """Which episode to run, how the robot sees in it (None: as the scene says), and before what."""
 
     suite: str
     seed: int
