@@ -6,9 +6,12 @@ always at an awkward angle for fingers. A push needs neither, and the hand may t
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
+from typing import Any
 
+import coal
 import numpy as np
 import pinocchio as pin
 
@@ -107,7 +110,19 @@ def hand_points(model: RobotModel, hand: Hand, q: Array) -> Array:
     found = []
     for item, pose in zip(geometry.geometryObjects, placed.oMg, strict=True):
         if model.link_of(item) in gripper.touch_links:
-            corners = np.asarray(item.geometry.points())
+            corners = _corners(item.geometry)
             at = tcp_T_world @ pose.homogeneous
             found.append(corners @ at[:3, :3].T + at[:3, 3])
     return np.concatenate(found)
+
+
+def _corners(geometry: Any) -> Array:
+    """Of a hull or a box of Coal's; around a cylinder those of the box that it is in; shape (n, 3)."""
+    if isinstance(geometry, coal.ConvexBase):
+        return np.asarray(geometry.points())
+    half = (
+        np.array([geometry.radius, geometry.radius, geometry.halfLength])
+        if isinstance(geometry, coal.Cylinder)
+        else np.array(geometry.halfSide)
+    )
+    return half * np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
