@@ -45,6 +45,7 @@ class HandleStanding:
             handle is in reach.
         push_share: It pushes doors shut at such a share of the heights and distances from the hinge at which
             TALOS does.
+        cannot_close: Why it closes nothing; empty when it does.
     """
 
     hinge_ahead_m: float = 0.80
@@ -56,6 +57,7 @@ class HandleStanding:
     near_m: float = 0.22
     near_rad: float = 0.25
     push_share: float = 1.0
+    cannot_close: str = ""
 
 
 PADS_ON_A_BAR, FAR_REACH = BarGrip(), HandleStanding()
