@@ -49,13 +49,14 @@ def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: fl
         force_n: How hard it pulls.
     """
     height_m = at_z_m - robot.stance.height_m
-    shift_m = force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2)
-    corners = robot.polygon.vertices_m
-    if len(corners):
-        middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
-        kept_m = robot.model.description.com_margin_m + COM_RESERVE_M + _COM_ROOM_M
-        shift_m = min(shift_m, max(0.0, robot.polygon.com_margin_m(middle) - kept_m))
-    return np.asarray(outward[:2] * shift_m)
+    shift_m = np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
+    corners, far_m = robot.polygon.vertices_m, float(np.linalg.norm(shift_m))
+    if not len(corners):
+        return shift_m
+    middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+    kept_m = robot.model.description.com_margin_m + COM_RESERVE_M + _COM_ROOM_M
+    most_m = max(0.0, robot.polygon.com_margin_m(middle) - kept_m)
+    return shift_m * (most_m / far_m) if far_m > most_m else shift_m
 
 
 def speed_along(path: OpeningPath) -> float:
