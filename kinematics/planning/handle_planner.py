@@ -46,8 +46,8 @@ _OVERLAP = 0.8
 """Of the pads' length: so far apart are the depths at which short pads try, one attempt after the other."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
-_UPRIGHT = (("", 0.0),)
-_LYING = (("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi))
+_UPRIGHT: tuple[tuple[str, float], ...] = (("", 0.0),)
+_LYING: tuple[tuple[str, float], ...] = (("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi))
 """How a hand is rolled that holds an upright bar, or one that lies."""
 _FLOATED = 0.8
 """Of a door's angle: so far the hand has turned about the bar when it has followed the door there."""

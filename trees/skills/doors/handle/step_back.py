@@ -82,7 +82,8 @@ class StepBack(PlannedMotionLeaf):
         if away_m > (_BESIDE_M if self._clear else _NEAR_M) and not target.pushed:
             return None
         back = -_BACK_M * toolbox.model.frame_pose(q, gripper.tcp_frame)[:3, :3] @ way_to_bar(gripper)
-        shares, turns_rad = _BACK_SHARES, (0.0,)
+        shares: tuple[float, ...] = _BACK_SHARES
+        turns_rad: tuple[float, ...] = (0.0,)
         if self._clear or target.pushed:
             back = _CLEAR_M * outwards(toolbox.world.scene, target)
             shares, turns_rad = _CLEAR_SHARES, _CLEAR_TURNS_RAD
