@@ -125,4 +125,4 @@ def _corners(geometry: Any) -> Array:
         if isinstance(geometry, coal.Cylinder)
         else np.array(geometry.halfSide)
     )
-    return half * np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
+    return np.asarray(half * np.array(list(itertools.product((-1.0, 1.0), repeat=3))), dtype=np.float64)
