@@ -56,7 +56,8 @@ class Need(Enum):
 
     HAND = "a hand that grips"
     BARS = "a hand that grips handles"
-    TIPS = "a hand that presses with closed fingertips"
+    SHUTS = "arms that close what is open"
+    TIPS = "a hand whose fingertips meet"
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"

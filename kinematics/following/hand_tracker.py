@@ -48,6 +48,8 @@ _COM_RATE_M = 0.0008
 """The wanted CoM moves no more than this a tick."""
 _ABOVE_HOME_M = 0.04
 """The pelvis rises no more than this above home: knees that are nearly straight must move too fast."""
+_RISES, _DRAWN_BACK_M = 21, 0.12
+"""Short legs are stretched before that: so many heights are tried, with the pelvis drawn back so far."""
 _BASE_ROOM = np.array([0.13, 0.15, 0.16])
 """The pelvis stays within this of where the motion began, m."""
 _LOWEST_SHARE = 0.73
@@ -123,7 +125,7 @@ class HandTracker:
         if self._base:
             home_m = float(self._space.from_q(robot.q_home)[2])
             self._lower[2] = min(start[2], max(self._lower[2], _LOWEST_SHARE * home_m))
-            highest = home_m + _ABOVE_HOME_M
+            highest = home_m + _room_above_home_m(robot)
             self._upper[2] = max(start[2], min(self._upper[2], highest))
         self.standing = True
         self._locate(q)
@@ -255,6 +257,18 @@ def _middle_of(robot: StandingRobot) -> Array:
     if not len(corners_m):
         return np.zeros(2)
     return np.asarray(0.5 * (corners_m.max(axis=0) + corners_m.min(axis=0)))
+
+
+def _room_above_home_m(robot: StandingRobot) -> float:
+    """How far the pelvis may rise with the legs still on the ground, drawn back as for a pull."""
+    space = free_coordinates(robot)
+    rises_m = np.linspace(0.0, _ABOVE_HOME_M, _RISES)
+    x = np.repeat(space.from_q(robot.q_home)[None, :], _RISES, axis=0)
+    ahead = np.sum([pose[:2, 0] for _, pose in robot.stance.soles], axis=0)
+    x[:, :2] -= _DRAWN_BACK_M * ahead / np.linalg.norm(ahead)
+    x[:, 2] += rises_m
+    _, reached = space.to_q(x)
+    return float(rises_m[np.cumprod(reached).sum() - 1]) if reached[0] else 0.0
 
 
 _COM_OF_BASE = 0.8

@@ -9,14 +9,17 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
+from kinematics.model.handle_settings import BarGrip
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.standing.reserves import BRAKING_RESERVE_M
+from kinematics.standing.reserves import BRAKING_RESERVE_M, COM_RESERVE_M
 
 GRAVITY_M_S2 = 9.81
 
 
+_COM_ROOM_M = 0.01
+"""A CoM that is shifted stays by so much inside what is asked of it: the shift overshoots."""
 BREAK_FREE_N, MOVING_N = 25.0, 6.0
 """Pull for which the CoM is shifted before a door gives way, and while it moves."""
 
@@ -24,8 +27,8 @@ BREAK_FREE_N, MOVING_N = 25.0, 6.0
 DOOR_SPEED_RAD_S, DRAWER_SPEED_M_S = math.radians(15.0), 0.12
 
 
-FREE_SPIN, HELD_SPIN = 0.001, 0.3
-"""Weights of the hand's turn about the bar: left open on a door, nearly kept on a drawer."""
+HELD_SPIN = 0.3
+"""Weight of the hand's turn about the bar, on a drawer: nearly kept. On a door the hand's own counts."""
 
 
 SPIN_FADES = 0.93
@@ -37,7 +40,7 @@ GATHERING = 2.0
 
 
 def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: float) -> Array:
-    """How far back the CoM has to be for a pull, m, shape (2,).
+    """How far back the CoM has to be for a pull, m, shape (2,); no farther than the checker lets it.
 
     Args:
         robot: Where it stands; the pull tips it about the plane of the soles.
@@ -46,7 +49,14 @@ def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: fl
         force_n: How hard it pulls.
     """
     height_m = at_z_m - robot.stance.height_m
-    return np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
+    shift_m = np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
+    corners, far_m = robot.polygon.vertices_m, float(np.linalg.norm(shift_m))
+    if not len(corners):
+        return shift_m
+    middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+    kept_m = robot.model.description.com_margin_m + COM_RESERVE_M + _COM_ROOM_M
+    most_m = max(0.0, robot.polygon.com_margin_m(middle) - kept_m)
+    return shift_m * (most_m / far_m) if far_m > most_m else shift_m
 
 
 def speed_along(path: OpeningPath) -> float:
@@ -54,9 +64,9 @@ def speed_along(path: OpeningPath) -> float:
     return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
 
 
-def spin_along(path: OpeningPath) -> float:
+def spin_along(path: OpeningPath, bar: BarGrip) -> float:
     """How much the hand's turn about the bar matters while the path is followed."""
-    return FREE_SPIN if isinstance(path, DoorArc) else HELD_SPIN
+    return bar.spin if isinstance(path, DoorArc) else HELD_SPIN
 
 
 def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:

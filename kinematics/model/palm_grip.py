@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
@@ -22,6 +23,15 @@ LEVEL_SINE = math.sin(math.radians(5.0))
 def is_steep(gripper: GripperDescription, world_T_tcp: Transform) -> bool:
     """Whether a hand that closes there turns what stands between its fingers by nobody knows how much."""
     return gripper.palm_side_m is not None and abs(float(world_T_tcp[2, 0])) > LEVEL_SINE
+
+
+def way_to_bar(gripper: GripperDescription) -> Array:
+    """The direction in which a hand comes to a bar: unit vector in its TCP frame, shape (3,).
+
+    Fingers that meet between two pads come along themselves. A palm is laid on the bar, and the fingers close
+    behind it.
+    """
+    return np.asarray(poses.rotation_z(gripper.bar.approach_rad)[:, 0])
 
 
 def held(gripper: GripperDescription, tcp_T_object: Transform) -> Transform:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
 from kinematics.model.camera_description import CameraDescription
+from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
 from kinematics.model.walking_settings import WalkingSettings
 
 if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
@@ -121,6 +122,7 @@ class GripperDescription:
             fingers are to meet it.
         steepest_rad: No grasp is tilted down by more than this.
         around_m: What is deeper along the fingers they do not close around; infinite for pads.
+        bar: How it takes hold of a bar.
         cannot_grip_bars: Why the hand takes hold of no handle; empty when it can.
     """
 
@@ -159,6 +161,7 @@ class GripperDescription:
     side_overlap_m: float = -math.inf
     steepest_rad: float = math.pi / 2
     around_m: float = math.inf
+    bar: BarGrip = PADS_ON_A_BAR
     cannot_grip_bars: str = ""
 
     @property
@@ -259,6 +262,7 @@ class RobotDescription:
         reach_m: No hand gets farther than this from its shoulder, a trunk that leans included.
         lean_rad: To reach something the pelvis leans forward or back by no more, aside by two thirds.
         foot_sensors: Whether its feet feel what the floor does; else the legs' efforts tell it.
+        handles: Where it stands to open and close things.
     """
 
     name: str
@@ -290,6 +294,7 @@ class RobotDescription:
     reach_m: float = 1.15
     lean_rad: float = 0.9
     foot_sensors: bool = True
+    handles: HandleStanding = FAR_REACH
 
     @property
     def actuated(self) -> tuple[str, ...]:

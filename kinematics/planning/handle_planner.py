@@ -17,8 +17,9 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Cylinder
 from kinematics.ik.gaze import gaze_joints
-from kinematics.ik.result import IkTolerance
+from kinematics.ik.result import IkResult, IkTolerance
 from kinematics.ik.solver import along_line
+from kinematics.model.palm_grip import way_to_bar
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
@@ -45,11 +46,14 @@ _OVERLAP = 0.8
 """Of the pads' length: so far apart are the depths at which short pads try, one attempt after the other."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
-_TURNS_RAD = tuple(math.radians(a) for a in (20, 0, 40, -20))
-"""About the bar, away from the hinge: turned like this the arm follows farthest."""
+_UPRIGHT: tuple[tuple[str, float], ...] = (("", 0.0),)
+_LYING: tuple[tuple[str, float], ...] = (("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi))
+"""How a hand is rolled that holds an upright bar, or one that lies."""
 _FLOATED = 0.8
 """Of a door's angle: so far the hand has turned about the bar when it has followed the door there."""
 _TOLERANCE = IkTolerance(com_margin_m=0.05)
+_LED_IN = 6
+"""Poses on the way of a palm that has to be turned to a bar."""
 
 
 class HandlePlanner:
@@ -117,27 +121,32 @@ class _HandleTask(PlanningTask):
         diameter = 2.0 * shape.radius_m if isinstance(shape, Cylinder) else 0.02
         place = bar.world_T_object[:3, 3]
         for hand in request.hands:
-            for turn in _TURNS_RAD:
+            for turn in self._model.description.grippers[hand].bar.turns_rad:
                 yield from self._turned(hand, turn, heading, place, diameter)
 
     def _turned(
         self, hand: Hand, turn: float, heading: float, place: Array, diameter: float
     ) -> Iterator[Grasp]:
         path, s = self.request.path, self.request.s_from
+        gripper = self._model.description.grippers[hand]
+        aside = turn if hand == "right" else -turn
+        yaw, about, rolls = heading, -gripper.bar.approach_rad, _LYING
         if isinstance(path, DoorArc):
-            yaw = heading + path.side * (_FLOATED * s - turn)
-            rolls = [("", 0.0)]
-        else:
-            yaw = heading + (turn if hand == "right" else -turn)
-            rolls = [("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi)]
-        short_m = min(SHORT_M, self._model.description.grippers[hand].closing_advance_m)
+            yaw, rolls = heading + path.side * (_FLOATED * s - turn), _UPRIGHT
+        elif gripper.palm_side_m is None:
+            yaw = heading + aside
+        else:  # a palm lies along the whole bar: it turns about that
+            about += aside
+        short_m = min(SHORT_M, gripper.closing_advance_m)
+        bar = np.array([gripper.bar.along_m, gripper.grasped_at_m(diameter), 0.0])
         deeper, deeper_m = self._depth(hand)
         for name, roll in rolls:
-            rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll)
+            rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll) @ poses.rotation_z(about)
             label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}{deeper}"
             if key_of(hand, label) in self.request.excluded:
                 continue
-            pose = poses.transform(rotation, place + (deeper_m - short_m) * rotation[:, 0])
+            ahead = (deeper_m - short_m) * way_to_bar(gripper)
+            pose = poses.transform(rotation, place + rotation @ (ahead - bar))
             yield Grasp(hand, label, pose, APPROACH_M, diameter)
 
     def _depth(self, hand: Hand) -> tuple[str, float]:
@@ -160,8 +169,8 @@ class _HandleTask(PlanningTask):
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
         request = self.request
         ik = self.ik_of(grasp.hand)
-        found = ik.solve(grasp.world_T_tcp, request.q_start)
-        if not found.within(_TOLERANCE):
+        found = self._at(grasp)
+        if found is None:
             return "no inverse kinematics at the handle"
         scene = self._touching(grasp.hand)
         near = self.planner_in(scene)
@@ -188,10 +197,28 @@ class _HandleTask(PlanningTask):
             return rehearsal.reason
         return self._timed(grasp, x_pregrasp, approach, rehearsal.farthest_s)
 
+    def _at(self, grasp: Grasp) -> IkResult | None:
+        """The robot with its hand at the handle; None where no way to hold it there was found.
+
+        A palm has to be turned to a bar: where the search does not find that at once, it is led there from
+        the posture in which the robot stands.
+        """
+        request, ik = self.request, self.ik_of(grasp.hand)
+        found = ik.solve(grasp.world_T_tcp, request.q_start)
+        gripper = self._model.description.grippers[grasp.hand]
+        if not found.within(_TOLERANCE) and gripper.bar.approach_rad != 0.0:
+            q = request.q_start
+            here = self._model.frame_pose(q, gripper.tcp_frame)
+            for pose in poses.line(here, grasp.world_T_tcp, _LED_IN):
+                found = ik.solve(pose, q)
+                q = found.q
+        return found if found.within(_TOLERANCE) else None
+
     def _before(self, grasp: Grasp) -> Array:
         """Pose of the TCP from which the hand goes straight to a grasp, shape (4, 4)."""
         if not self.request.pushed:
-            return np.asarray(grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0))
+            back = -grasp.approach_m * way_to_bar(self._model.description.grippers[grasp.hand])
+            return np.asarray(grasp.world_T_tcp @ poses.transform(np.eye(3), back))
         before = grasp.world_T_tcp.copy()
         before[:3, 3] += grasp.approach_m * outward_of(self.request)
         return before

@@ -81,7 +81,7 @@ def rehearse(
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
-    start = path.at(s_from)
+    start, bar = path.at(s_from), robot.model.description.grippers[hand].bar
     shift = com_shift_m(robot, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
@@ -105,7 +105,7 @@ def rehearse(
             return Rehearsal(s, "")
         step = min(speed * tick_s, step + GATHERING * speed * tick_s**2)
         s = s_to if abs(s_to - s) <= step else s + way * step
-        spin = max(spin_along(path), spin * SPIN_FADES ** (tick_s / TICK_S))
+        spin = max(spin_along(path, bar), spin * SPIN_FADES ** (tick_s / TICK_S))
         point = path.at(s)
         eased = com_shift_m(robot, point.outward, at_z_m, MOVING_N if way > 0.0 else 0.0)
         steps += 1

@@ -6,9 +6,12 @@ always at an awkward angle for fingers. A push needs neither, and the hand may t
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
+from typing import Any
 
+import coal
 import numpy as np
 import pinocchio as pin
 
@@ -26,7 +29,8 @@ from kinematics.scene.planning_scene import SceneObject
 
 APPROACH_M = 0.07
 _PLACES_M = ((0.40, 1.05), (0.30, 1.05), (0.48, 1.38), (0.36, 1.25), (0.24, 1.05))
-"""Distance from the hinge and height, m: clear of where handles are, far out first."""
+"""Distance from the hinge and height, m: clear of where handles are, far out first; smaller robots push at a
+share of both."""
 _FOLLOWED = (0.8, 0.6, 1.0, 0.4)
 """Of the door's angle: the hand is turned by so much less than square to the front."""
 _BAR_DEPTH_M, _BAR_WIDE_M, _BAR_INSET_M, _BAR_BOTTOM_M = 0.07, 0.08, 0.07, 0.75
@@ -53,9 +57,10 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
     along = _along(path, outward)
     hinge = np.array([*path.hinge_m, 0.0])
     thickness_m, width_m, _ = front.shape.size_m
+    share = model.description.handles.push_share
     for hand in request.hands:
         points = hand_points(model, hand, request.q_start)
-        for away_m, height_m in _PLACES_M:
+        for away_m, height_m in (np.array(_PLACES_M) * share).tolist():
             for followed in _FOLLOWED:
                 label = f"push at {away_m:.2f} {height_m:.2f} turned {followed:.1f}"
                 if away_m > width_m or key_of(hand, label) in request.excluded:
@@ -105,7 +110,19 @@ def hand_points(model: RobotModel, hand: Hand, q: Array) -> Array:
     found = []
     for item, pose in zip(geometry.geometryObjects, placed.oMg, strict=True):
         if model.link_of(item) in gripper.touch_links:
-            corners = np.asarray(item.geometry.points())
+            corners = _corners(item.geometry)
             at = tcp_T_world @ pose.homogeneous
             found.append(corners @ at[:3, :3].T + at[:3, 3])
     return np.concatenate(found)
+
+
+def _corners(geometry: Any) -> Array:
+    """Of a hull or a box of Coal's; around a cylinder those of the box that it is in; shape (n, 3)."""
+    if isinstance(geometry, coal.ConvexBase):
+        return np.asarray(geometry.points())
+    half = (
+        np.array([geometry.radius, geometry.radius, geometry.halfLength])
+        if isinstance(geometry, coal.Cylinder)
+        else np.array(geometry.halfSide)
+    )
+    return np.asarray(half * np.array(list(itertools.product((-1.0, 1.0), repeat=3))), dtype=np.float64)

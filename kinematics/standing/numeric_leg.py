@@ -34,6 +34,7 @@ BENT_RAD = 0.1
 """Knees of what is searched stay so far from being stretched, which shortens a leg by a thousandth: nearer to
 it, the next millimetre is out of reach, and no method that goes by derivatives comes there."""
 _KNEE, _ANGLES = 3, 721
+_NEXT, _AFTER = [1, 2, 0], [2, 0, 1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +81,7 @@ class NumericLeg:
         self._turn = np.array([np.array(model.pin.jointPlacements[i].rotation) for i in ids])
         self._offset = np.array([np.array(model.pin.jointPlacements[i].translation) for i in ids])
         self._axis = np.array([_axis(model.pin, i) for i in ids])
+        self._still, self._by_sine, self._by_versine = _hinges(self._turn, self._offset, self._axis)
         self._foot_T_sole = np.array(sole.placement.homogeneous)
         self._world_T_sole = world_T_sole
         self._home = model.q_home[self._columns]
@@ -94,7 +96,7 @@ class NumericLeg:
         joints = np.tile(self._home, (_ANGLES, 1))
         joints[:, _KNEE] = angles
         at, _, origins, axes = self._forward(joints)
-        volume = np.linalg.det(np.concatenate([np.cross(axes, at[:, None] - origins), axes], axis=2))
+        volume = np.linalg.det(np.concatenate([_crossed(axes, at[:, None] - origins), axes], axis=2))
         stretched, home = float(angles[int(np.argmin(np.abs(volume)))]), float(self._home[_KNEE])
         if home > stretched:
             return max(lower_rad, min(home, stretched + BENT_RAD)), upper_rad
@@ -143,20 +145,35 @@ class NumericLeg:
         """Distance and turn to the wanted pose, shape (n, 6), and the Jacobian, shape (n, 6, 6)."""
         at, at_R, origins, axes = self._forward(joints)
         turn = _rotation_vector(rotation @ np.swapaxes(at_R, 1, 2))
-        jacobian = np.concatenate([np.cross(axes, at[:, None] - origins), axes], axis=2)
+        jacobian = np.concatenate([_crossed(axes, at[:, None] - origins), axes], axis=2)
         return np.concatenate([position - at, turn], axis=1), np.swapaxes(jacobian, 1, 2)
 
     def _forward(self, joints: Array) -> tuple[Array, Array, Array, Array]:
         """Sole position and rotation, joint origins and axes, all in the base's frame."""
-        n = len(joints)
-        R, p = np.tile(np.eye(3), (n, 1, 1)), np.zeros((n, 3))
-        origins, axes = np.empty((n, 6, 3)), np.empty((n, 6, 3))
-        for k in range(6):
-            p = p + R @ self._offset[k]
-            R = R @ self._turn[k]
-            origins[:, k], axes[:, k] = p, R @ self._axis[k]
-            R = R @ _rotations(joints[:, k, None] * self._axis[k])
-        return p + R @ self._foot_T_sole[:3, 3], R @ self._foot_T_sole[:3, :3], origins, axes
+        sine, versine = np.sin(joints)[..., None, None], (1.0 - np.cos(joints))[..., None, None]
+        hinges = self._still + sine * self._by_sine + versine * self._by_versine
+        links = np.empty_like(hinges)
+        links[:, 0] = hinges[:, 0]
+        for k in range(1, 6):
+            np.matmul(links[:, k - 1], hinges[:, k], out=links[:, k])
+        sole = links[:, 5] @ self._foot_T_sole
+        # a turn about its own axis leaves that where it is
+        axes = (links[:, :, :3, :3] @ self._axis[..., None])[..., 0]
+        return sole[:, :3, 3], sole[:, :3, :3], links[:, :, :3, 3], axes
+
+
+def _hinges(turns: Array, offsets_m: Array, axes: Array) -> tuple[Array, Array, Array]:
+    """What each hinge's pose is made of, by Rodrigues' formula, shape (6, 4, 4) each.
+
+    The pose at an angle is the first, and sin(angle) of the second, and 1 - cos(angle) of the third.
+    """
+    across = np.zeros((len(axes), 3, 3))
+    for row, column, which, sign in ((0, 1, 2, -1), (0, 2, 1, 1), (1, 2, 0, -1)):
+        across[:, row, column], across[:, column, row] = sign * axes[:, which], -sign * axes[:, which]
+    still, by_sine, by_versine = np.zeros((3, len(axes), 4, 4))
+    still[:, :3, :3], still[:, :3, 3], still[:, 3, 3] = turns, offsets_m, 1.0
+    by_sine[:, :3, :3], by_versine[:, :3, :3] = turns @ across, turns @ across @ across
+    return still, by_sine, by_versine
 
 
 def _axis(tree: pin.Model, joint: int) -> Array:
@@ -166,18 +183,9 @@ def _axis(tree: pin.Model, joint: int) -> Array:
     return np.asarray(subspace[3:, 0], dtype=np.float64)
 
 
-def _rotations(vectors: Array) -> Array:
-    """Rotation matrices, shape (n, 3, 3), of rotation vectors, shape (n, 3), by Rodrigues' formula."""
-    angle = np.sqrt(np.sum(vectors * vectors, axis=1))
-    x, y, z = (vectors / np.maximum(angle, 1e-300)[:, None]).T
-    s, c = np.sin(angle), np.cos(angle)
-    v = 1.0 - c
-    rows = [
-        [c + x * x * v, x * y * v - z * s, x * z * v + y * s],
-        [y * x * v + z * s, c + y * y * v, y * z * v - x * s],
-        [z * x * v - y * s, z * y * v + x * s, c + z * z * v],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
+def _crossed(a: Array, b: Array) -> Array:
+    """Cross products along the last axis; numpy's own takes most of the time of a step of few poses."""
+    return a[..., _NEXT] * b[..., _AFTER] - a[..., _AFTER] * b[..., _NEXT]
 
 
 def _rotation_vector(rotations: Array) -> Array:

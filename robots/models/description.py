@@ -10,6 +10,7 @@ import importlib.resources
 import math
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from importlib.resources.abc import Traversable
 from itertools import combinations
 from pathlib import Path
@@ -168,6 +169,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         foot_sensors=body.foot_sensors,
         cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
         walking=None if document.walking is None else document.walking[0],
+        handles=document.handles,
         reachability=_reachability(folder),
     )
     _require_consistent(description, link_names(urdf))
@@ -388,6 +390,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         side_overlap_m=-math.inf if table.side_overlap_m is None else table.side_overlap_m,
         steepest_rad=table.steepest_rad,
         around_m=math.inf if table.around_m is None else table.around_m,
+        bar=replace(table.bar, approach_rad=mirror * table.bar.approach_rad),
         cannot_grip_bars=table.cannot_grip_bars,
         slides=joints_named(urdf, [joint])[joint].get("type") == "prismatic",
     )

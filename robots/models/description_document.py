@@ -10,6 +10,7 @@ from typing import Annotated, Literal, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
 from kinematics.model.camera_description import CameraDescription
+from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
 from kinematics.model.robot_description import Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
@@ -196,6 +197,7 @@ class GripperTable(StrictTable):
     side_overlap_m: FiniteFloat | None = None
     steepest_rad: FiniteFloat = math.pi / 2
     around_m: FiniteFloat | None = None
+    bar: Annotated[BarGrip, AsTable()] = PADS_ON_A_BAR
     cannot_grip_bars: str = ""
     deadband_rad: FiniteFloat = 0.004
     met_rad: FiniteFloat = 2e-4
@@ -243,5 +245,6 @@ class DescriptionDocument(StrictTable):
     noise: Annotated[SensorNoise, AsTable()]
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
+    handles: Annotated[HandleStanding, AsTable()] = FAR_REACH
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
     rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)

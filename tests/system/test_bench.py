@@ -43,7 +43,7 @@ def test_what_is_not_in_the_hand_is_never_claimed(fault):
 
 @pytest.mark.parametrize("suite", ["open", "close"])
 def test_a_drawer_is_opened_and_closed(suite):
-    record = run_opening(OpeningOrder(suite, 2, "panda", bench=True))
+    record = run_opening(OpeningOrder(suite, 2, "panda", where="bench_drawers"))
 
     assert record.outcome == "done", record.failure
     assert record.opening > 0.25 if suite == "open" else record.opening < 0.02

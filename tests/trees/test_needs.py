@@ -10,7 +10,8 @@ from trees.readiness import lacking
 from trees.registry import skill_called
 from trees.skill import Need
 
-NO_BARS = "how fingers that press against a palm take hold of a bar is not known"
+NO_BARS = "its fingers do not get behind a bar"
+NO_ROOM = "before an open drawer its hand has no room, and how it pushes a door shut is not known"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -47,11 +48,13 @@ UPRIGHT = "eyes that aim while it walks; g1 aims by its trunk, which has to stay
         ("talos", "look_at", []),
         ("g1", "move", []),
         ("g1", "look_at", []),
-        ("g1", "press", ["a hand that presses with closed fingertips; the fingers of g1 close on a palm"]),
+        ("g1", "press", ["a hand whose fingertips meet; the fingers of g1 close on a palm"]),
         ("talos", "press", []),
         ("g1", "follow", [UPRIGHT]),
         ("g1", "pick", []),
-        ("g1", "open", [f"a hand that grips handles; {NO_BARS}"]),
+        ("g1", "open", []),
+        ("g1", "close", [f"arms that close what is open; {NO_ROOM}"]),
+        ("g1", "turn_knob", ["a hand whose fingertips meet; the fingers of g1 close on a palm"]),
         ("g1", "place", []),
         ("g1", "put_in", []),
         ("g1", "walk_to", []),
@@ -68,6 +71,15 @@ def test_a_hand_that_cannot_grasp_says_why():
 
     assert list(lacks(skill_called("pick"), robot)) == [f"a hand that grips; {RUBBER}"]
     assert list(lacks(skill_called("open"), robot)) == [f"a hand that grips; {RUBBER}"]
+
+
+def test_hands_that_grip_no_bar_say_why():
+    robot = load_description("g1")
+    hands = {name: replace(hand, cannot_grip_bars=NO_BARS) for name, hand in robot.grippers.items()}
+
+    assert list(lacks(skill_called("open"), replace(robot, grippers=hands))) == [
+        f"a hand that grips handles; {NO_BARS}"
+    ]
 
 
 def test_who_only_speaks_needs_nothing(stage):

@@ -9,6 +9,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.model.handle_settings import HandleStanding
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.load import Load
@@ -56,7 +57,7 @@ def test_before_a_door_the_hinge_is_ahead_and_on_the_side_of_the_hand(side, yaw)
     hands = ("left",) if side > 0.0 else ("right",)
     target = HandleTarget("door", "handle", "door", arc, 0.0, hands)
 
-    body = handle_standing_place(target, PlanarPose())
+    body = handle_standing_place(target, PlanarPose(), HandleStanding())
     hinge = body.to(PlanarPose(3.0, 1.0, yaw))
 
     assert (hinge.x_m, hinge.y_m) == pytest.approx((0.80, side * 0.75))
@@ -67,7 +68,7 @@ def test_before_a_drawer_one_stands_on_the_side_where_one_is():
     line = DrawerLine(np.array([2.0, 0.0, 0.9]), math.pi / 2.0)
     target = HandleTarget("drawer", "handle", "drawer", line, 0.0, ("left", "right"))
 
-    body = handle_standing_place(target, PlanarPose(3.0, -1.0))
+    body = handle_standing_place(target, PlanarPose(3.0, -1.0), HandleStanding())
     bar = body.to(PlanarPose(2.0, 0.0))
 
     assert (bar.x_m, abs(bar.y_m)) == pytest.approx((0.66, 0.34))
@@ -219,3 +220,16 @@ def test_things_on_furniture_do_not_keep_a_load_away():
     assert not WalkingRoom(load_description("talos").walking, HELD).load_meets(
         PlanningScene().with_objects([bottle]), [PlanarPose()]
     )
+
+
+def test_a_robot_stands_where_the_bar_of_a_door_of_any_width_is_before_its_shoulder():
+    where = load_description("g1").handles
+    asides = []
+    for radius_m in (0.38, 0.54):
+        arc = DoorArc(np.array([2.0, 0.5]), 0.3, 1.0, radius_m, 0.075, 0.9)
+        target = HandleTarget("door", "bar", "door", arc, 0.0, ("left",))
+        body = handle_standing_place(target, PlanarPose(), where)
+        bar = arc.at(0.0).position_m
+        asides.append(body.to(PlanarPose(float(bar[0]), float(bar[1]))).y_m)
+
+    assert abs(asides[0] - asides[1]) < 0.02

@@ -208,7 +208,7 @@ class YieldingHand:
             return None
         self._yield_across(point.outward, point.across)
         if self._leading and self._phase == "lead":
-            self._spin = max(spin_along(self._path), self._spin * SPIN_FADES)
+            self._spin = max(spin_along(self._path, self._gripper.bar), self._spin * SPIN_FADES)
         self._move_scene()
         pull_n = 0.0
         if self._opening and self._outcome == "running":

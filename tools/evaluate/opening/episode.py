@@ -25,14 +25,14 @@ _DRAWS = 20
 
 @dataclass(frozen=True, slots=True)
 class OpeningOrder:
-    """Which episode to run, how the robot sees in it (None: as the scene says), and whether on a bench."""
+    """Which episode to run, how the robot sees in it (None: as the scene says), and before what."""
 
     suite: str
     seed: int
     robot: str
     fault: str | None = None
     perception: str | None = None
-    bench: bool = False
+    where: str | None = None
 
 
 def run_openings(order: OpeningOrder) -> list[OpeningRecord]:
@@ -46,7 +46,7 @@ def run_opening(order: OpeningOrder) -> OpeningRecord:
     A door that stands open where the robot's hand is cannot be: it is drawn again.
     """
     for draw in range(_DRAWS):
-        scene = opening_scene(order.seed, order.suite, draw, order.bench)
+        scene = opening_scene(order.seed, order.suite, draw, order.where)
         try:
             return _run(order, scene)
         except SceneError:
@@ -58,7 +58,7 @@ def run_opening(order: OpeningOrder) -> OpeningRecord:
 
 def died(order: OpeningOrder) -> list[OpeningRecord]:
     """The record of an episode whose process died."""
-    return [_broken(order, opening_scene(order.seed, order.suite, bench=order.bench), "the process died")]
+    return [_broken(order, opening_scene(order.seed, order.suite, where=order.where), "the process died")]
 
 
 def _broken(order: OpeningOrder, scene: OpeningScene, why: str) -> OpeningRecord:

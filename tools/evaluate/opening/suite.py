@@ -10,7 +10,7 @@ from rich.console import Console
 from tools.evaluate.opening.episode import OpeningOrder, died, run_openings
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.records import OpeningRecord, OpeningSummary
-from tools.evaluate.opening.scenes import BENCH_DRAWERS
+from tools.evaluate.opening.scenes import SCENES
 from tools.evaluate.record_suite import run_record_suite
 
 OPENING_SUITES = ("open", "close")
@@ -18,11 +18,11 @@ OPENING_SUITES = ("open", "close")
 
 def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
     """Run it; 0 when every demand is met, 1 when not, 2 for an option that it does not have."""
-    bench = options.scene == BENCH_DRAWERS
-    if (options.scene and not bench) or options.fault not in (None, *OPENING_FAULTS):
-        known = ", ".join(OPENING_FAULTS)
+    where = options.scene or None
+    if (where and where not in SCENES) or options.fault not in (None, *OPENING_FAULTS):
+        known, scenes = ", ".join(OPENING_FAULTS), " and ".join(SCENES)
         messages.print(
-            f"error: the suite {options.suite} takes no scene but {BENCH_DRAWERS}, and of faults {known}",
+            f"error: the suite {options.suite} takes no scene but {scenes}, and of faults {known}",
             style="bold",
             markup=False,
         )
@@ -31,7 +31,7 @@ def run_opening_suite(options: argparse.Namespace, messages: Console) -> int:
         options.suite,
         [
             OpeningOrder(
-                options.suite, options.seed + i, options.robot, options.fault, options.perception, bench
+                options.suite, options.seed + i, options.robot, options.fault, options.perception, where
             )
             for i in range(options.episodes)
         ],

@@ -20,7 +20,7 @@ from executive.understanding.command_parser import parse
 from kinematics.geometry import poses
 from robots.scenes.scene_description import SceneDescription
 from tools.evaluate.faults import FAULTS, FaultBench, FaultState
-from tools.evaluate.opening.scenes import opening_scene
+from tools.evaluate.opening.scenes import BENCH_DRAWERS, opening_scene
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import (
     BENCH,
@@ -116,7 +116,7 @@ def _bench(seed: int) -> Script:
 
 
 def _bench_drawer(seed: int) -> Script:
-    scene = opening_scene(seed, "open", bench=True)
+    scene = opening_scene(seed, "open", where=BENCH_DRAWERS)
     return Script(scene.read(), (OpenTask("open it", ObjectDescription(kind="drawer")),))
 
 

@@ -31,7 +31,7 @@ SKILLS = (
         tree=_turn,
         example="turn on the stove",
         verb="turn the knob of",
-        needs=frozenset({Need.HAND, Need.BARS, Need.EYES}),
+        needs=frozenset({Need.HAND, Need.BARS, Need.TIPS, Need.EYES}),
     ),
     Skill(
         task=PressTask,

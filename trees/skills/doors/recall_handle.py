@@ -66,7 +66,7 @@ class RecallHandle(Leaf):
         chosen = meant_part(task, fitting, toolbox)
         if isinstance(chosen, Failure):
             return Failure.postcondition(f"which {noun} was meant has to be seen")
-        place = body.to(handle_standing_place(chosen, body))
+        place = body.to(handle_standing_place(chosen, body, toolbox.model.description.handles))
         away_m = math.hypot(place.x_m, place.y_m)
         # Right before an open drawer there is no room for the feet to turn to what is beside the robot.
         if away_m < _FAR_M and abs(place.yaw_rad) < toolbox.policy.beside_rad:

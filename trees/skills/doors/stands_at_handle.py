@@ -12,7 +12,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.handle_standing import NEAR_M, NEAR_RAD, handle_standing_place
+from trees.skills.doors.handle_standing import handle_standing_place
 
 
 class StandsAtHandle(Leaf):
@@ -35,10 +35,11 @@ class StandsAtHandle(Leaf):
         if toolbox.walking is None or toolbox.model.description.walking is None:
             return DONE
         body = feet_pose(toolbox)
-        left = body.to(handle_standing_place(handle, body))
+        where = toolbox.model.description.handles
+        left = body.to(handle_standing_place(handle, body, where))
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)
-        if off_m > NEAR_M or off_rad > NEAR_RAD:
+        if off_m > where.near_m or off_rad > where.near_rad:
             return Failure.postcondition(
                 f"it stands {off_m:.2f} m and {math.degrees(off_rad):.0f} degrees beside the place for that",
                 off_m=off_m,

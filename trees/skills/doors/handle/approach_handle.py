@@ -6,6 +6,7 @@ import math
 
 from py_trees.common import Status
 
+from kinematics.model.palm_grip import way_to_bar
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.opening_path import DrawerLine
 from robots.control.hands.yield_order import YieldOrder
@@ -44,9 +45,10 @@ class ApproachHandle(YieldingLeaf):
         target: HandleTarget = self.get_input("handle")
         grasp: Grasp = self.get_input("grasp")
         q = toolbox.motion.reference()
-        frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
-        here = toolbox.model.frame_pose(q, frame)
-        ahead = -outwards(toolbox.world.scene, target) if target.pushed else here[:3, 0]
+        gripper = toolbox.model.description.grippers[grasp.hand]
+        here = toolbox.model.frame_pose(q, gripper.tcp_frame)
+        own = here[:3, :3] @ way_to_bar(gripper)
+        ahead = -outwards(toolbox.world.scene, target) if target.pushed else own
         left_m = float((grasp.world_T_tcp[:3, 3] - here[:3, 3]) @ ahead)
         if left_m <= 0.0:
             return Failure.execution("the hand is beyond the handle already", left_m=left_m)

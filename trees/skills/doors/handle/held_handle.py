@@ -68,3 +68,10 @@ def tcp_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:
     """Where the hand's TCP is at a configuration, shape (3,)."""
     frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
     return toolbox.model.frame_pose(q, frame)[:3, 3]
+
+
+def bar_m(toolbox: Toolbox, grasp: Grasp, q: Array) -> Array:
+    """Where the middle of the bar is that a hand holds at a configuration, shape (3,): beside a palm."""
+    gripper = toolbox.model.description.grippers[grasp.hand]
+    tcp = toolbox.model.frame_pose(q, gripper.tcp_frame)
+    return np.asarray(tcp[:3, 3] + gripper.held_at_m(grasp.diameter_m) * tcp[:3, 1])

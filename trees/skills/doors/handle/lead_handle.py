@@ -20,7 +20,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, RUNNING
 from trees.nodes.ports import ports
 from trees.nodes.yielding_leaf import YieldingLeaf
-from trees.skills.doors.handle.held_handle import HeldHandle, scene_of_hand, tcp_m
+from trees.skills.doors.handle.held_handle import HeldHandle, bar_m, scene_of_hand
 
 _MOST_S = 40.0
 _SLIPPED_AT_N, _SLIPPED_SHARE = 38.0, 0.4
@@ -85,7 +85,7 @@ class LeadHandle(YieldingLeaf):
         outcome = super().step()
         held: HeldHandle = self.get_input("held")
         if outcome is RUNNING:
-            self._points.append(tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
+            self._points.append(bar_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q))
         return outcome
 
     def finish(self) -> Status | Failure:
@@ -134,7 +134,7 @@ class LeadHandle(YieldingLeaf):
         if target.handle in scene.objects and not target.pushed:
             bar = scene.objects[target.handle]
             pose = bar.world_T_object.copy()
-            pose[:2, 3] = tcp_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
+            pose[:2, 3] = bar_m(self.toolbox, held.grasp, self.toolbox.sensing.state().q)[:2]
             scene = scene.with_object(replace(bar, world_T_object=pose))
         world.update(scene)
 

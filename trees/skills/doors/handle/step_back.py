@@ -7,6 +7,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
+from kinematics.model.palm_grip import way_to_bar
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.move import RetreatRequest
 from trees.beliefs.openings.drawer_inside import without_drawn
@@ -30,6 +31,8 @@ _BESIDE_M = 0.25
 _STEADY_M = 0.075
 """Of the CoM inside the edge: nobody leans out to get away from a door."""
 _BACK_SHARES, _CLEAR_SHARES = (1.0, 0.7), (1.0, 0.6, 0.35)
+_PALM_SHARES, _PALM_TURNS_RAD = (1.0, 0.7, 0.5), (0.0, 0.3, -0.3)
+"""A palm stands square to where it goes: what its wrist cannot follow straight it does turned."""
 _CLEAR_TURNS_RAD = (0.0, 0.5, -0.5, 1.0, -1.0)
 """A hand that is clear of the bar may turn: a wrist at its limit would take the whole body along."""
 
@@ -72,15 +75,20 @@ class StepBack(PlannedMotionLeaf):
             return None
         if target.pushed and (self._clear or left is None):
             return None
-        frame = toolbox.model.description.grippers[grasp.hand].tcp_frame
+        gripper = toolbox.model.description.grippers[grasp.hand]
         q = toolbox.motion.reference()
         bar_m = toolbox.world.scene.objects[target.handle].world_T_object[:3, 3]
         away_m = float(np.linalg.norm(tcp_m(toolbox, grasp, q) - bar_m))
         if away_m > (_BESIDE_M if self._clear else _NEAR_M) and not target.pushed:
             return None
-        back = -_BACK_M * toolbox.model.frame_pose(q, frame)[:3, 0]
+        back = -_BACK_M * toolbox.model.frame_pose(q, gripper.tcp_frame)[:3, :3] @ way_to_bar(gripper)
+        shares: tuple[float, ...] = _BACK_SHARES
+        turns_rad: tuple[float, ...] = (0.0,)
         if self._clear or target.pushed:
             back = _CLEAR_M * outwards(toolbox.world.scene, target)
+            shares, turns_rad = _CLEAR_SHARES, _CLEAR_TURNS_RAD
+        elif gripper.palm_side_m is not None:
+            shares, turns_rad = _PALM_SHARES, _PALM_TURNS_RAD
         x, y, z = (float(value) for value in back)
         return RetreatRequest(
             q_start=q,
@@ -90,8 +98,8 @@ class StepBack(PlannedMotionLeaf):
             world_offset_m=(x, y, z),
             steady_m=_STEADY_M,
             concessions=hand_concessions(toolbox, target, grasp, "retreat"),
-            shares=_CLEAR_SHARES if self._clear or target.pushed else _BACK_SHARES,
-            turns_rad=_CLEAR_TURNS_RAD if self._clear or target.pushed else (0.0,),
+            shares=shares,
+            turns_rad=turns_rad,
         )
 
     def step(self) -> Status | Failure:
