@@ -79,6 +79,7 @@ def test_stops_before_a_low_table_are_of_what_a_small_body_does_there():
         ("pick", "g1", "low_tabletop"),
         ("place", "panda", "bench"),
         ("open", "panda", "bench_drawers"),
+        ("open", "g1", "low_kitchen"),
         ("hand_over", "panda", None),
         ("things", "g1", None),
     ],

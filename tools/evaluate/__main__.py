@@ -47,7 +47,7 @@ from tools.evaluate.live.load import run_load
 from tools.evaluate.mcp.fuzz import run_mcp_fuzz
 from tools.evaluate.mcp.tasks import run_mcp
 from tools.evaluate.opening.faults import OPENING_FAULTS
-from tools.evaluate.opening.scenes import BENCH_DRAWERS
+from tools.evaluate.opening.scenes import OPENED_BESIDE
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
 from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.people_seen.suite import PEOPLE_SEEN_SUITE, run_people_seen
@@ -58,7 +58,7 @@ from tools.evaluate.records import EpisodeRecord, Run, Summary, dead_episode
 from tools.evaluate.replays import run_replay_episode
 from tools.evaluate.report import print_summary, save_scenes
 from tools.evaluate.ros.suites import ROS_SUITES, run_ros_suite
-from tools.evaluate.scenes import BENCH, workspace_of
+from tools.evaluate.scenes import workspace_of
 from tools.evaluate.shown.suite import SHOWN_SUITE, run_shown
 from tools.evaluate.skills.episode import run_skill_episode, trial_of
 from tools.evaluate.skills.faults import FAULTED_SUITES, SKILL_FAULTS
@@ -147,7 +147,7 @@ def own_scene(suite: str, robot: str) -> str | None:
     """The scene of a robot's own size where a suite has one for it and none was named."""
     own = workspace_of(robot)
     if suite in OPENING_SUITES:
-        return BENCH_DRAWERS if own == BENCH else None
+        return None if own is None else OPENED_BESIDE[own]
     skill = SKILL_SUITES.get(suite)
     if skill is None:
         return own if suite in ("pick", "stop", "cancel") else None

@@ -20,7 +20,7 @@ from robots.scenes.scene_description import (
 )
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_writer import dump
-from tools.evaluate.scenes import episode_rng
+from tools.evaluate.scenes import BENCH, LOW_TABLE, episode_rng
 
 FURNITURE = "piece"
 PAD_FRICTION = (0.7, 1.1)
@@ -33,6 +33,8 @@ BENCH_DRAWERS = "bench_drawers"
 LOW_KITCHEN = "low_kitchen"
 """The scene of a humanoid of a child's size."""
 SCENES = (BENCH_DRAWERS, LOW_KITCHEN)
+OPENED_BESIDE = MappingProxyType({BENCH: BENCH_DRAWERS, LOW_TABLE: LOW_KITCHEN})
+"""Where what opens is, by where else things of that size are picked."""
 LOCKED_EVERY = 4
 """One of so many is locked, in the suite that opens."""
 Range = tuple[float, float]
