@@ -23,6 +23,7 @@ from kinematics.following.opening_motion import (
     SPIN_FADES,
     com_shift_m,
     guarded_scene,
+    most_pull_n,
     scene_at,
     speed_along,
     spin_along,
@@ -100,6 +101,11 @@ class YieldingHand:
         self.scene, self._scene_s = self._scene_from, s_from
         self._way = math.copysign(1.0, s_to - s_from) if s_to != s_from else 0.0
         self._opening = self._way > 0.0
+        self._most_n = settings.force_limit_n
+        if self._opening:
+            point = path.at(s_from)
+            bears_n = most_pull_n(standing, point.outward, float(point.position_m[2]))
+            self._most_n = min(self._most_n, bears_n)
         self._leading = self._way != 0.0
         self._s, self._speed = s_from, 0.0
         self._rotation = self._tracker.tcp_rotation.copy()
@@ -267,7 +273,7 @@ class YieldingHand:
         held_fast = self._phase == "lead" and self._opening and not self._gives_way
         wanted = full * (settings.close_share if near_closed or held_fast else 1.0)
         wanted = min(wanted, math.sqrt(2.0 * settings.acceleration * full * left) + 0.02 * full)
-        most, slow = settings.force_limit_n, settings.slow_share
+        most, slow = self._most_n, settings.slow_share
         if self._at_stop:
             most = settings.stop_force_n
         if against_n > slow * most:

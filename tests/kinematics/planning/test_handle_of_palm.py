@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from kinematics.following.opening_motion import BREAK_FREE_N, com_shift_m, spin_along
+from kinematics.following.opening_motion import BREAK_FREE_N, com_shift_m, most_pull_n, spin_along
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.palm_grip import way_to_bar
@@ -97,3 +97,22 @@ def test_a_light_robot_goes_back_for_a_pull_no_farther_than_the_checker_lets_it(
 
     assert robot.polygon.com_margin_m(middle + shift) > g1.description.com_margin_m + COM_RESERVE_M
     assert shift[0] < -0.02
+
+
+@pytest.mark.parametrize(("robot", "least_n", "most_n"), [("talos", 58.0, 120.0), ("g1", 20.0, 45.0)])
+def test_a_robot_pulls_at_what_is_locked_no_harder_than_it_bears(robot, least_n, most_n):
+    model = RobotModel(load_description(robot))
+    standing = StandingRobot(model, stance_at(model, model.q_home))
+
+    pull_n = most_pull_n(standing, np.array([-1.0, 0.0, 0.0]), 0.9)
+
+    assert least_n < pull_n < most_n
+
+
+def test_a_welded_robot_pulls_as_hard_as_it_likes():
+    model = RobotModel(load_description("panda"))
+
+    assert (
+        most_pull_n(StandingRobot(model, stance_at(model, model.q_home)), np.array([-1.0, 0.0, 0.0]), 1.0)
+        == np.inf
+    )
