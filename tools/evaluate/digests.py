@@ -111,6 +111,7 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
         ),
         "bench_clutter": ("put the red cup into the bowl", "what is on the table?"),
         "bench_drawers": ("open the drawer and close it",),
+        "low_kitchen": ("open the fridge", "walk to the kitchen"),
         "low_tabletop": ("pick up the red bottle on the table",),
     }
 )
