@@ -98,7 +98,7 @@ class HandTracker:
         self._model, description = model, model.description
         self._space = free_coordinates(robot)
         self._base = 3 if self._space.base_size else 0  # a welded one follows with its arm alone
-        self._middle = _middle_of(robot)
+        self._middle = robot.polygon.middle_m
         self._data = model.pin.createData()
         self._tcp_id = model.frame_id(description.tcp_frames[hand])
         kinds = ["base"] * self._base
@@ -249,14 +249,6 @@ class HandTracker:
         self._com = data.com[0].copy()
         self.tcp_m = data.oMf[self._tcp_id].translation.copy()
         self.tcp_rotation = data.oMf[self._tcp_id].rotation.copy()
-
-
-def _middle_of(robot: StandingRobot) -> Array:
-    """Of the feet, over the floor, shape (2,); of a welded robot, which cannot tip, anywhere."""
-    corners_m = robot.polygon.vertices_m
-    if not len(corners_m):
-        return np.zeros(2)
-    return np.asarray(0.5 * (corners_m.max(axis=0) + corners_m.min(axis=0)))
 
 
 def _room_above_home_m(robot: StandingRobot) -> float:

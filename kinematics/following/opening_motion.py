@@ -24,6 +24,7 @@ _OF_TIPPING, _GIVES_M = 0.8, 0.04
 """Of the pull that tips a robot at rest, for the estimate may overshoot by some newtons; and how far its CoM
 comes forward at such a pull, for its ankles give: at 31 N a robot of 34 kg fell slowly at a locked door."""
 _LEAST_HEIGHT_M = 0.1
+"""What is pulled at lower than this tips nobody sooner."""
 BREAK_FREE_N, MOVING_N = 25.0, 6.0
 """Pull for which the CoM is shifted before a door gives way, and while it moves."""
 
@@ -54,12 +55,9 @@ def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: fl
     """
     height_m = at_z_m - robot.stance.height_m
     shift_m = np.asarray(outward[:2] * force_n * height_m / (robot.model.mass_kg * GRAVITY_M_S2))
-    corners, far_m = robot.polygon.vertices_m, float(np.linalg.norm(shift_m))
-    if not len(corners):
-        return shift_m
-    middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
+    far_m = float(np.linalg.norm(shift_m))
     kept_m = robot.model.description.com_margin_m + COM_RESERVE_M + _COM_ROOM_M
-    most_m = max(0.0, robot.polygon.com_margin_m(middle) - kept_m)
+    most_m = max(0.0, robot.polygon.com_margin_m(robot.polygon.middle_m) - kept_m)
     return shift_m * (most_m / far_m) if far_m > most_m else shift_m
 
 
@@ -74,8 +72,7 @@ def most_pull_n(robot: StandingRobot, outward: Array, at_z_m: float) -> float:
     corners, height_m = robot.polygon.vertices_m, at_z_m - robot.stance.height_m
     if not len(corners):
         return math.inf
-    middle = 0.5 * (corners.max(axis=0) + corners.min(axis=0))
-    com_m = middle + com_shift_m(robot, outward, at_z_m, BREAK_FREE_N)
+    com_m = robot.polygon.middle_m + com_shift_m(robot, outward, at_z_m, BREAK_FREE_N)
     room_m = max(0.0, float(((com_m - corners) @ outward[:2]).max()) - _GIVES_M)
     tips_n = robot.model.mass_kg * GRAVITY_M_S2 * room_m / max(height_m, _LEAST_HEIGHT_M)
     return _OF_TIPPING * tips_n

@@ -54,6 +54,12 @@ class SupportPolygon:
         self._inward = np.column_stack([-edges[:, 1], edges[:, 0]]) / lengths[:, None]
         self._offset = np.sum(self._inward * self.vertices_m, axis=1)
 
+    @property
+    def middle_m(self) -> Array:
+        """Of the feet, over the floor, shape (2,); of a welded robot, which cannot tip, anywhere."""
+        corners_m = self.vertices_m
+        return np.zeros(2) if not len(corners_m) else 0.5 * (corners_m.max(axis=0) + corners_m.min(axis=0))
+
     def com_margin_m(self, com_xy: Array) -> float:
         """Distance of a ground point, shape (2,), to the nearest edge: positive inside.
 

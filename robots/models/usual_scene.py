@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
-
 from robots.outside import DESCRIPTION, robot_folder
+from robots.toml_text import TomlTextError, read_toml
 
 USUAL_SCENE = "tabletop"
 """Of a robot whose description names none."""
@@ -25,8 +24,8 @@ def usual_scene(robot: str) -> str:
     if folder is None:
         return USUAL_SCENE
     try:
-        body = tomllib.loads((folder / DESCRIPTION).read_text("utf-8")).get("body")
-    except (OSError, ValueError):
+        body = read_toml((folder / DESCRIPTION).read_text("utf-8")).get("body")
+    except (OSError, UnicodeError, TomlTextError):
         return USUAL_SCENE
     scene = body.get("scene", USUAL_SCENE) if isinstance(body, dict) else USUAL_SCENE
     if not isinstance(scene, str):

@@ -6,7 +6,7 @@ from robots.outside import known_scenes
 from tools.evaluate.digests import RecordedRun, carried_out, differences, planned_runs
 
 
-def test_the_planned_runs_are_some_sixty_over_every_scene():
+def test_the_planned_runs_are_some_seventy_over_every_scene():
     runs = planned_runs()
 
     assert len(runs) == 72

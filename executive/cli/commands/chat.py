@@ -13,18 +13,17 @@ import typer
 
 from executive.cli.commands.choices import (
     REAL_PACE,
-    SCENE_OF_THE_ROBOT,
     ConfidenceOption,
     ConfigOption,
     FolderOption,
     ModelOption,
     PolicyChoice,
     PolicyOption,
+    SceneOption,
     ServedPaceOption,
     YesOption,
     options_of,
     robot_name,
-    scene_given,
     whole_number_from,
 )
 from executive.cli.own_service import serve_meanwhile
@@ -49,15 +48,7 @@ def chat(
             help="Name of the robot, or its folder.", show_default=DEFAULT_ROBOT, callback=robot_name
         ),
     ] = None,
-    scene: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME|FILE.toml|FILE.xml",
-            help="Where.",
-            show_default=SCENE_OF_THE_ROBOT,
-            callback=scene_given,
-        ),
-    ] = None,
+    scene: SceneOption = None,
     seed: Annotated[
         int | None,
         typer.Option(

@@ -154,6 +154,17 @@ FOREIGN_SCENES = (".xml", ".mjcf", ".urdf")
 
 SCENE_OF_THE_ROBOT = f"the robot's own; {USUAL_SCENE} for most"
 
+SceneOption = Annotated[
+    str | None,
+    typer.Option(
+        "--scene",
+        metavar="NAME|FILE.toml|FILE.xml",
+        help="Where.",
+        show_default=SCENE_OF_THE_ROBOT,
+        callback=scene_given,
+    ),
+]
+
 PerceptionOption = Annotated[
     PerceptionChoice | None,
     typer.Option("--perception", help="How the robot sees.", show_default="what the scene says"),

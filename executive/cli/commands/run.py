@@ -13,7 +13,6 @@ import typer
 from executive.cli.commands.choices import (
     GROOT_PORT,
     LOOPBACK,
-    SCENE_OF_THE_ROBOT,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
@@ -30,12 +29,12 @@ from executive.cli.commands.choices import (
     RosInterfaceOption,
     RosNamespaceOption,
     RosOption,
+    SceneOption,
     ViewOption,
     ViewPortOption,
     YesOption,
     options_of,
     robot_name,
-    scene_given,
     whole_number_from,
 )
 from executive.cli.own_service import serve_meanwhile
@@ -59,15 +58,7 @@ def run(
             help="Name of the robot, or its folder.", show_default=DEFAULT_ROBOT, callback=robot_name
         ),
     ] = None,
-    scene: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME|FILE.toml|FILE.xml",
-            help="Where.",
-            show_default=SCENE_OF_THE_ROBOT,
-            callback=scene_given,
-        ),
-    ] = None,
+    scene: SceneOption = None,
     perception: PerceptionOption = None,
     seed: Annotated[
         int | None,

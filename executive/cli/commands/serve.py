@@ -14,7 +14,6 @@ from executive.cli.commands.choices import (
     GROOT_PORT,
     LOOPBACK,
     REAL_PACE,
-    SCENE_OF_THE_ROBOT,
     VIEW_PORT,
     ConfidenceOption,
     ConfigOption,
@@ -29,12 +28,12 @@ from executive.cli.commands.choices import (
     RosInterfaceOption,
     RosNamespaceOption,
     RosOption,
+    SceneOption,
     ServedPaceOption,
     ViewOption,
     ViewPortOption,
     YesOption,
     robot_name,
-    scene_given,
     whole_number_from,
 )
 from executive.config import (
@@ -52,15 +51,7 @@ def serve(
     robot: Annotated[
         str, typer.Option(help="Name of the robot, or its folder.", callback=robot_name)
     ] = DEFAULT_ROBOT,
-    scene: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME|FILE.toml|FILE.xml",
-            help="Where.",
-            show_default=SCENE_OF_THE_ROBOT,
-            callback=scene_given,
-        ),
-    ] = None,
+    scene: SceneOption = None,
     perception: PerceptionOption = None,
     seed: Annotated[
         int, typer.Option(parser=whole_number_from(0), metavar="N", help="Of everything random.")

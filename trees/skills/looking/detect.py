@@ -43,8 +43,8 @@ class Detect(LookLeaf):
     several objects, the nearest becomes the target, and the names of the others are written as well. It fails
     when nothing that fits is seen, when several things fit (the failure's ``choices`` name them), and when
     the furniture below the target is not known, since a motion would hit a table that was not seen; what is
-    on the floor is left there. A search
-    looks in several directions; that one look does not show the object is an answer, not a failure.
+    on the floor is left there. A search looks in several directions; that one look does not show the object
+    is an answer, not a failure.
     """
 
     ASKS = True
