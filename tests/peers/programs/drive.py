@@ -1,7 +1,7 @@
 """Send velocities on /cmd_vel until it has gone so far or said why not; print how far it went, as JSON.
 
-Like a joystick it goes on after a walk that was done too soon: on a busy machine its messages may be late, which
-is a silence.
+Like a joystick it goes on after a walk that was done too soon: on a busy machine its messages may be late,
+which is a silence.
 
 Arguments: "twist" or "stamped", forward speed, turning speed, metres, the most seconds.
 """
