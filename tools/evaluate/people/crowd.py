@@ -15,7 +15,7 @@ from robots.scenes.scene_file import read_scene
 from robots.scenes.scene_solids import planning_scene
 from robots.scenes.scene_writer import dump
 from tools.evaluate.skills import rooms
-from tools.evaluate.skills.errands import flat
+from tools.evaluate.skills.errands import home
 
 NAMES = ("Ana", "Ben", "Cleo", "Dan", "Eve", "Finn")
 POSTURES: tuple[Posture, ...] = ("standing", "sitting", "lying")
@@ -42,7 +42,7 @@ def peopled_flat(rng: np.random.Generator, count: int) -> SceneDescription:
         RuntimeError: There was no room for them.
     """
     for _ in range(20):
-        scene = dataclasses.replace(flat(rng), people=())
+        scene = dataclasses.replace(home(rng), people=())
         people = _people(scene, rng, count)
         if people is None:
             continue

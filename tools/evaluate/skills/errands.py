@@ -1,10 +1,11 @@
-"""Suites of errands in the flat: walk somewhere, and do something there."""
+"""Suites of errands in a home: walk somewhere, and do something there."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from robots.scenes.articulated import moving_part
 from robots.scenes.scene_description import RobotStart, SceneDescription
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_writer import dump
+from tools.evaluate.opening.scenes import HOUSEHOLDS, LOW_KITCHEN, Household
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.handing_over import TakingJudge
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
@@ -25,8 +27,6 @@ from trees.tasks import HandOverTask, ObjectDescription, OpenTask, PickTask, Wal
 
 START_M, START_RAD = 0.35, 0.6
 PERSON_M = 0.25
-MASS_KG, FRICTION_NM, SEAL_N = (8.0, 20.0), (1.0, 3.0), (20.0, 40.0)
-HANDLE_HEIGHT_M = (0.95, 1.10)
 OBJECT_M = 0.05
 LIFTED_M = 0.08
 _DRAWS = 100
@@ -34,21 +34,28 @@ BOTTLE, BOTTLE_M = "green bottle", 0.05
 BRING = "bring me the bottle from the fridge"
 
 
-def flat(rng: np.random.Generator) -> SceneDescription:
-    """The flat, with the robot, the people, the door and the things on the table as they happen to be.
+def home(
+    rng: np.random.Generator, name: str = "flat", house: Household = HOUSEHOLDS[None]
+) -> SceneDescription:
+    """A home, with the robot, the people, the door and the things on the table as they happen to be.
 
     Nobody stands inside the counter: what cannot be is drawn again.
+
+    Args:
+        rng: Draws it.
+        name: The scene that it is drawn from.
+        house: What its doors are like.
     """
     for _ in range(_DRAWS):
         try:
-            return read_scene(dump(_drawn(rng)), "episode in the flat", "flat")
+            return read_scene(dump(_drawn(rng, name, house)), f"episode in {name}", name)
         except SceneError:
             continue
-    raise RuntimeError("no flat could be drawn")
+    raise RuntimeError(f"no {name} could be drawn")
 
 
-def _drawn(rng: np.random.Generator) -> SceneDescription:
-    scene = load_scene("flat")
+def _drawn(rng: np.random.Generator, name: str, house: Household) -> SceneDescription:
+    scene = load_scene(name)
 
     def off(most: float) -> float:
         return float(rng.uniform(-most, most))
@@ -56,13 +63,13 @@ def _drawn(rng: np.random.Generator) -> SceneDescription:
     start = RobotStart(off(START_M), off(START_M), off(START_RAD))
     furniture = []
     for piece in scene.furniture:
-        if piece.opens is not None:
+        if piece.opens is not None and piece.opens.hinge is not None:
             part = dataclasses.replace(
                 moving_part(piece),
-                mass_kg=float(rng.uniform(*MASS_KG)),
-                friction=float(rng.uniform(*FRICTION_NM)),
-                seal_n=float(rng.uniform(*SEAL_N)),
-                handle_height_m=float(rng.uniform(*HANDLE_HEIGHT_M)),
+                mass_kg=float(rng.uniform(*house.mass_kg)),
+                friction=float(rng.uniform(*house.friction_nm)),
+                seal_n=float(rng.uniform(*house.seal_n)),
+                handle_height_m=float(rng.uniform(*house.handle_height_m)),
             )
             piece = dataclasses.replace(piece, opens=part)
         furniture.append(piece)
@@ -121,17 +128,18 @@ class CupJudge(_ErrandJudge):
         return Verdict(done, numbers, "" if done else f"lifted by {100 * lift_m:.0f} cm")
 
 
-def fridge_trial(rng: np.random.Generator) -> Trial:
+def fridge_trial(rng: np.random.Generator, name: str = "flat", house: Household = HOUSEHOLDS[None]) -> Trial:
     """Walk to the kitchen and open the fridge."""
     walk = WalkToTask("walk to the kitchen", "kitchen")
-    return Trial(flat(rng), (walk, OpenTask("open the fridge", ObjectDescription("fridge"))), "fridge")
+    opened = OpenTask("open the fridge", ObjectDescription("fridge"))
+    return Trial(home(rng, name, house), (walk, opened), "fridge")
 
 
 def cup_trial(rng: np.random.Generator) -> Trial:
     """Walk to the table and pick up the red cup."""
     walk = WalkToTask("walk to the table", "table")
     pick = PickTask("pick up the red cup", ObjectDescription("cup", "red"))
-    return Trial(flat(rng), (walk, pick), "red cup")
+    return Trial(home(rng), (walk, pick), "red cup")
 
 
 class BringJudge(TakingJudge):
@@ -162,7 +170,7 @@ class BringJudge(TakingJudge):
 
 def bring_trial(rng: np.random.Generator) -> Trial:
     """Bring me the bottle from the fridge: Ana says it, who stands nearest to the robot."""
-    scene = flat(rng)
+    scene = home(rng)
     x, y = (float(value) for value in rng.uniform(-BOTTLE_M, BOTTLE_M, 2))
     objects = tuple(
         dataclasses.replace(item, world_T_object=poses.translation(x, y, 0.0) @ item.world_T_object)
@@ -174,6 +182,11 @@ def bring_trial(rng: np.random.Generator) -> Trial:
     return Trial(dataclasses.replace(scene, objects=objects), (give,), BOTTLE, BRING)
 
 
-FLAT_FRIDGE = SkillSuite(fridge_trial, FridgeJudge, stands=False)
+FLAT_FRIDGE = SkillSuite(
+    fridge_trial,
+    FridgeJudge,
+    stands=False,
+    on_low=partial(fridge_trial, name=LOW_KITCHEN, house=HOUSEHOLDS[LOW_KITCHEN]),
+)
 FLAT_PICK = SkillSuite(cup_trial, CupJudge, stands=False)
 FLAT_BRING = SkillSuite(bring_trial, BringJudge, stands=False, bar=0.8)

@@ -18,7 +18,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, grasp_table
+from kinematics.planning.grasps import ABOVE_MIDDLE, NEAR_TOP
+from kinematics.planning.grasps_of_shapes import any_grasp_table
 from kinematics.planning.pick_task import APPROACH_M
 from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
 from kinematics.scene.support_of import TOUCHING_M, support_of
@@ -33,7 +34,9 @@ _TOP_M, _WIDE_M, _HIGH_M = 0.04, 1.2, 0.8
 """Of a table's top that a thing stands on alone."""
 _ARM_AWAY_M, _SIDES, _PEDESTAL_M = (0.5, 0.55, 0.45, 0.6, 0.65), 16, 0.17
 """How far from a thing an arm is bolted down, on one of so many sides, and what its pedestal needs around."""
-_HEADINGS_RAD = (0.0, 0.5 * math.pi, math.pi, -0.5 * math.pi)
+_HEADINGS_RAD = tuple(np.linspace(-math.pi, math.pi, 12, endpoint=False).tolist())
+_HEIGHTS = (ABOVE_MIDDLE, NEAR_TOP, *np.linspace(-0.4, 0.45, 18).tolist())
+"""Of a palm: where it comes from, and how high above the middle, in shares of the thing's height."""
 
 
 class Hands:
@@ -71,11 +74,10 @@ class Hands:
         gripper = self.model.description.grippers[hand]
         if gripper.palm_side_m is None:
             return hand_takes(self.model, hand, scene, target)
-        # fingers that close on a palm take hold of an outline, in the ways in which they do so at all
-        heights = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        # fingers that close on a palm hold what is of one width: looked for all around and all the way up
         judge = hand_judge(self.model, hand, scene, target, 0.0)
         tables = (
-            grasp_table(scene.objects[target], gripper, heading, APPROACH_M, heights)
+            any_grasp_table(scene.objects[target], self.model, hand, heading, APPROACH_M, _HEIGHTS, 0.0)
             for heading in _HEADINGS_RAD
         )
         ways = (0.0, -0.5 * APPROACH_M, -APPROACH_M)
