@@ -24,8 +24,6 @@ def why_lacking(need: Need, robot: RobotDescription) -> str | None:
         case Need.BARS if all(hand.cannot_grip_bars for hand in robot.grippers.values()):
             # a robot without any gripper has been told of that
             return next((hand.cannot_grip_bars for hand in robot.grippers.values()), None)
-        case Need.SHUTS if robot.handles.cannot_close:
-            return robot.handles.cannot_close
         case Need.TIPS if robot.grippers and all(hand.motors for hand in robot.grippers.values()):
             return f"the fingers of {robot.name} close on a palm"
         case Need.ARM if not robot.tcp_frames:

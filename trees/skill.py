@@ -56,7 +56,6 @@ class Need(Enum):
 
     HAND = "a hand that grips"
     BARS = "a hand that grips handles"
-    SHUTS = "arms that close what is open"
     TIPS = "a hand whose fingertips meet"
     ARM = "an arm"
     LEGS = "feet"

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.model.handle_settings import BarGrip
+from kinematics.model.handle_settings import PADS_ON_A_BAR, BarGrip
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
@@ -83,9 +83,14 @@ def speed_along(path: OpeningPath) -> float:
     return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
 
 
-def spin_along(path: OpeningPath, bar: BarGrip) -> float:
-    """How much the hand's turn about the bar matters while the path is followed."""
-    return bar.spin if isinstance(path, DoorArc) else HELD_SPIN
+def spin_along(path: OpeningPath, bar: BarGrip | None) -> float:
+    """How much the hand's turn about the bar matters while the path is followed.
+
+    Args:
+        path: Of the handle.
+        bar: How the hand holds it; None of a hand that pushes: it turns as it likes.
+    """
+    return (bar or PADS_ON_A_BAR).spin if isinstance(path, DoorArc) else HELD_SPIN
 
 
 def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:

@@ -1,4 +1,4 @@
-"""How a robot takes hold of handles, and where it stands to lead them, as its description says it."""
+"""How a robot holds handles and pushes fronts, and where it stands for it: data of its description."""
 
 from __future__ import annotations
 
@@ -43,9 +43,6 @@ class HandleStanding:
         bar_ahead_m, bar_aside_m: A drawer's bar, before the shoulder.
         near_m, near_rad: A robot that stands so near to the place does not walk: the planner says whether the
             handle is in reach.
-        push_share: It pushes doors shut at such a share of the heights and distances from the hinge at which
-            TALOS does.
-        cannot_close: Why it closes nothing; empty when it does.
     """
 
     hinge_ahead_m: float = 0.80
@@ -56,9 +53,33 @@ class HandleStanding:
     bar_aside_m: float = 0.34
     near_m: float = 0.22
     near_rad: float = 0.25
-    push_share: float = 1.0
-    cannot_close: str = ""
 
 
-PADS_ON_A_BAR, FAR_REACH = BarGrip(), HandleStanding()
+@dataclass(frozen=True, slots=True)
+class Pushing:
+    """How a robot pushes shut what is open. The defaults are TALOS's.
+
+    Attributes:
+        places_m: On a door: distance from the hinge and height, clear of where handles are, the best first.
+        drawers: Whether it pushes drawers too; else it closes them by their handles.
+        past_rad: A door is led so far beyond where it is shut: its frame stops it before, and which part of
+            the hand touches it there is not known to some centimetres.
+        before_m: It stands so far before the front as it is; None where it stands as to open it.
+        beyond_hinge_m: And so far beyond a door's hinge: an open door looks to that side.
+    """
+
+    places_m: tuple[tuple[float, float], ...] = (
+        (0.40, 1.05),
+        (0.30, 1.05),
+        (0.48, 1.38),
+        (0.36, 1.25),
+        (0.24, 1.05),
+    )
+    drawers: bool = False
+    past_rad: float = 0.12
+    before_m: float | None = None
+    beyond_hinge_m: float = 0.0
+
+
+PADS_ON_A_BAR, FAR_REACH, FROM_FAR = BarGrip(), HandleStanding(), Pushing()
 """What counts where a robot's data say nothing."""

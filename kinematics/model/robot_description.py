@@ -13,7 +13,14 @@ from typing import TYPE_CHECKING, Literal
 
 from kinematics.errors import MissingPartError
 from kinematics.model.camera_description import CameraDescription
-from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
+from kinematics.model.handle_settings import (
+    FAR_REACH,
+    FROM_FAR,
+    PADS_ON_A_BAR,
+    BarGrip,
+    HandleStanding,
+    Pushing,
+)
 from kinematics.model.walking_settings import WalkingSettings
 
 if TYPE_CHECKING:  # numpy comes with it, and the names of hands are asked for by who only reads a sentence
@@ -263,6 +270,7 @@ class RobotDescription:
         lean_rad: To reach something the pelvis leans forward or back by no more, aside by two thirds.
         foot_sensors: Whether its feet feel what the floor does; else the legs' efforts tell it.
         handles: Where it stands to open and close things.
+        pushing: How it pushes shut what is open.
     """
 
     name: str
@@ -295,6 +303,7 @@ class RobotDescription:
     lean_rad: float = 0.9
     foot_sensors: bool = True
     handles: HandleStanding = FAR_REACH
+    pushing: Pushing = FROM_FAR
 
     @property
     def actuated(self) -> tuple[str, ...]:

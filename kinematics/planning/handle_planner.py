@@ -188,7 +188,7 @@ class _HandleTask(PlanningTask):
         q_grasp = self.space.to_q(x_grasp[None, :])[0][0]
         rehearsal = rehearse(
             self.robot, grasp.hand, q_grasp, scene, request.parts, request.path,
-            request.s_from, request.s_to,
+            request.s_from, request.s_to, not request.pushed,
         )  # fmt: skip
         if rehearsal.reason:
             best = self.farthest_s

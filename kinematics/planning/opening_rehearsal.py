@@ -60,6 +60,7 @@ def rehearse(
     path: OpeningPath,
     s_from: float,
     s_to: float,
+    holding: bool = True,
 ) -> Rehearsal:
     """Follow a path from a grasp, as ``YieldingHand`` would, and judge the postures on the way.
 
@@ -71,6 +72,7 @@ def rehearse(
         parts: What moves with the handle.
         path: Of the handle; the hand follows it from where it holds the bar.
         s_from, s_to: Openings.
+        holding: Whether the hand holds the handle, and does not only push.
     """
     tick_s = REHEARSED_TICK_S
     tracker = HandTracker(robot, hand, q_grasp, tick_s)
@@ -81,7 +83,7 @@ def rehearse(
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
-    start, bar = path.at(s_from), robot.model.description.grippers[hand].bar
+    start, bar = path.at(s_from), robot.model.description.grippers[hand].bar if holding else None
     shift = com_shift_m(robot, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)

@@ -1,7 +1,8 @@
-"""Where a hand pushes a door shut: against its front, from outside, with whatever of the hand comes first.
+"""Where a hand pushes something shut: against its front, from outside, with whatever of the hand comes first.
 
 An open door stands edge-on before the robot, with its handle on the far side: often out of sight, and
-always at an awkward angle for fingers. A push needs neither, and the hand may turn as it likes.
+always at an awkward angle for fingers; the bar of an open drawer may be nearer than a short arm can have it.
+A push needs neither, and the hand may turn as it likes.
 """
 
 from __future__ import annotations
@@ -16,7 +17,6 @@ import numpy as np
 import pinocchio as pin
 
 from kinematics.arrays import Array
-from kinematics.errors import InvalidMotionError
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
@@ -28,11 +28,12 @@ from kinematics.scene.opening_path import DoorArc
 from kinematics.scene.planning_scene import SceneObject
 
 APPROACH_M = 0.07
-_PLACES_M = ((0.40, 1.05), (0.30, 1.05), (0.48, 1.38), (0.36, 1.25), (0.24, 1.05))
-"""Distance from the hinge and height, m: clear of where handles are, far out first; smaller robots push at a
-share of both."""
 _FOLLOWED = (0.8, 0.6, 1.0, 0.4)
 """Of the door's angle: the hand is turned by so much less than square to the front."""
+_TURNS_RAD, _PALM_TURNS_RAD = (0.0,), (0.0, 0.5, -0.3, 1.0)
+"""So far the left hand is turned from pointing at what it pushes; a palm may look at it."""
+_ASIDE, _HIGH = (0.35, -0.35), (0.0, 0.2, -0.2)
+"""Of a drawer's width and height: so far beside the middle of the front, where its bar is."""
 _BAR_DEPTH_M, _BAR_WIDE_M, _BAR_INSET_M, _BAR_BOTTOM_M = 0.07, 0.08, 0.07, 0.75
 _BAR_TOPS_M = (1.30, 1.25, 1.20)
 """Where a bar can be that is not seen: so far out, so wide about so far from the free edge, so high."""
@@ -42,34 +43,49 @@ def outward_of(request: HandleRequest) -> Array:
     """Horizontal unit vector square to the front, to the side that a push comes from, shape (3,)."""
     path = request.path
     if not isinstance(path, DoorArc):
-        raise InvalidMotionError("only doors are pushed")
+        return path.at(request.s_from).outward
     yaw = path.closed_yaw_rad - path.side * request.s_from
     return np.array([-math.cos(yaw), -math.sin(yaw), 0.0])
 
 
 def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
     """Poses of the hand that touches the front from outside, the most promising first."""
-    path, s, front = request.path, request.s_from, request.scene.objects[request.pushed]
-    outward = outward_of(request)
-    if not isinstance(path, DoorArc) or not isinstance(front.shape, Box):
+    front, outward = request.scene.objects[request.pushed], outward_of(request)
+    if not isinstance(front.shape, Box):
         return
-    inward_yaw = math.atan2(-outward[1], -outward[0])
-    along = _along(path, outward)
-    hinge = np.array([*path.hinge_m, 0.0])
-    thickness_m, width_m, _ = front.shape.size_m
-    share = model.description.handles.push_share
+    inward_yaw, thickness_m = math.atan2(-outward[1], -outward[0]), front.shape.size_m[0]
     for hand in request.hands:
-        points = hand_points(model, hand, request.q_start)
-        for away_m, height_m in (np.array(_PLACES_M) * share).tolist():
-            for followed in _FOLLOWED:
-                label = f"push at {away_m:.2f} {height_m:.2f} turned {followed:.1f}"
-                if away_m > width_m or key_of(hand, label) in request.excluded:
+        points, sign = hand_points(model, hand, request.q_start), 1.0 if hand == "left" else -1.0
+        palm = model.description.grippers[hand].palm_side_m is not None
+        for turn in _PALM_TURNS_RAD if palm else _TURNS_RAD:
+            for label, place, turned in _places(model, request, outward, front, front.shape):
+                label = f"{label}{f' wrist {math.degrees(turn):+.0f}' if turn else ''}"
+                if key_of(hand, label) in request.excluded:
                     continue
-                rotation = poses.rotation_z(inward_yaw + path.side * followed * s)
+                rotation = poses.rotation_z(inward_yaw + turned + sign * turn)
                 stands_off_m = 0.5 * thickness_m + float(np.max(points @ rotation.T @ -outward))
-                place = hinge + away_m * along + stands_off_m * outward
-                place[2] = height_m
-                yield Grasp(hand, label, poses.transform(rotation, place), APPROACH_M, 0.0)
+                pose = poses.transform(rotation, place + stands_off_m * outward)
+                yield Grasp(hand, label, pose, APPROACH_M, 0.0)
+
+
+def _places(
+    model: RobotModel, request: HandleRequest, outward: Array, front: SceneObject, shape: Box
+) -> Iterator[tuple[str, Array, float]]:
+    """Names of places to push at, points of the front's middle plane, and how far a hand is turned there."""
+    path, (_, width_m, height_m) = request.path, shape.size_m
+    if not isinstance(path, DoorArc):
+        across, middle = request.path.at(request.s_from).across, front.world_T_object[:3, 3]
+        for aside, high in itertools.product(_ASIDE, _HIGH):
+            place = middle + aside * width_m * across + high * height_m * np.array([0.0, 0.0, 1.0])
+            yield f"push at {aside * width_m:+.2f} {place[2]:.2f}", place, 0.0
+        return
+    for away_m, at_m in model.description.pushing.places_m:
+        if away_m > width_m:
+            continue
+        place = np.array([*path.hinge_m, at_m]) + away_m * _along(path, outward)
+        for followed in _FOLLOWED:
+            label = f"push at {away_m:.2f} {at_m:.2f} turned {followed:.1f}"
+            yield label, place, path.side * followed * request.s_from
 
 
 def _along(path: DoorArc, outward: Array) -> Array:

@@ -166,6 +166,7 @@ def _describe(name: str, document: DescriptionDocument, folder: Traversable) -> 
         cannot_grasp="" if document.hand is None else document.hand.cannot_grasp,
         walking=None if document.walking is None else document.walking[0],
         handles=document.handles,
+        pushing=document.pushing,
         reachability=_reachability(folder),
     )
     _require_consistent(description, link_names(urdf))

@@ -10,7 +10,14 @@ from typing import Annotated, Literal, TypeVar
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
 from kinematics.model.camera_description import CameraDescription
-from kinematics.model.handle_settings import FAR_REACH, PADS_ON_A_BAR, BarGrip, HandleStanding
+from kinematics.model.handle_settings import (
+    FAR_REACH,
+    FROM_FAR,
+    PADS_ON_A_BAR,
+    BarGrip,
+    HandleStanding,
+    Pushing,
+)
 from kinematics.model.robot_description import Hand, SoleDescription
 from kinematics.model.walking_settings import WalkingSettings
 from robots.errors import DescriptionError
@@ -246,5 +253,6 @@ class DescriptionDocument(StrictTable):
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
     handles: Annotated[HandleStanding, AsTable()] = FAR_REACH
+    pushing: Annotated[Pushing, AsTable()] = FROM_FAR
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
     rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)

@@ -11,7 +11,6 @@ from trees.registry import skill_called
 from trees.skill import Need
 
 NO_BARS = "its fingers do not get behind a bar"
-NO_ROOM = "before an open drawer its hand has no room, and how it pushes a door shut is not known"
 RUBBER = "its hands are of rubber, in one piece: they reach and press, and cannot grasp"
 
 
@@ -53,7 +52,7 @@ UPRIGHT = "eyes that aim while it walks; g1 aims by its trunk, which has to stay
         ("g1", "follow", [UPRIGHT]),
         ("g1", "pick", []),
         ("g1", "open", []),
-        ("g1", "close", [f"arms that close what is open; {NO_ROOM}"]),
+        ("g1", "close", []),
         ("g1", "turn_knob", ["a hand whose fingertips meet; the fingers of g1 close on a palm"]),
         ("g1", "place", []),
         ("g1", "put_in", []),

@@ -9,7 +9,6 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.model.handle_settings import HandleStanding
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.walking.route.load import Load
@@ -57,7 +56,7 @@ def test_before_a_door_the_hinge_is_ahead_and_on_the_side_of_the_hand(side, yaw)
     hands = ("left",) if side > 0.0 else ("right",)
     target = HandleTarget("door", "handle", "door", arc, 0.0, hands)
 
-    body = handle_standing_place(target, PlanarPose(), HandleStanding())
+    body = handle_standing_place(target, PlanarPose(), load_description("talos"))
     hinge = body.to(PlanarPose(3.0, 1.0, yaw))
 
     assert (hinge.x_m, hinge.y_m) == pytest.approx((0.80, side * 0.75))
@@ -68,11 +67,37 @@ def test_before_a_drawer_one_stands_on_the_side_where_one_is():
     line = DrawerLine(np.array([2.0, 0.0, 0.9]), math.pi / 2.0)
     target = HandleTarget("drawer", "handle", "drawer", line, 0.0, ("left", "right"))
 
-    body = handle_standing_place(target, PlanarPose(3.0, -1.0), HandleStanding())
+    body = handle_standing_place(target, PlanarPose(3.0, -1.0), load_description("talos"))
     bar = body.to(PlanarPose(2.0, 0.0))
 
     assert (bar.x_m, abs(bar.y_m)) == pytest.approx((0.66, 0.34))
     assert body.x_m > 2.0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("opening", [0.1, 1.2])
+def test_who_pushes_a_door_shut_stands_beyond_its_hinge_and_as_far_before_it_as_it_is_open(side, opening):
+    robot = load_description("g1")
+    arc = DoorArc(np.array([3.0, 1.0]), 2.0, side, 0.4, 0.055, 1.0)
+    target = HandleTarget("door", "door", "door", arc, opening, ("left",), pushed=True)
+
+    body = handle_standing_place(target, PlanarPose(), robot)
+    hinge = body.to(PlanarPose(3.0, 1.0, 2.0))
+
+    out_m = robot.pushing.places_m[0][0] * math.sin(opening)
+    assert hinge.x_m == pytest.approx(robot.pushing.before_m + out_m)
+    assert side * hinge.y_m == pytest.approx(-robot.pushing.beyond_hinge_m)
+    assert hinge.yaw_rad == pytest.approx(0.0, abs=1e-9)
+
+
+def test_who_pushes_a_drawer_stands_before_its_front_as_it_is():
+    robot = load_description("g1")
+    line = DrawerLine(np.array([2.0, 0.0, 0.8]), 0.0)
+    target = HandleTarget("drawer", "drawer", "drawer", line, 0.25, ("left", "right"), pushed=True)
+
+    body = handle_standing_place(target, PlanarPose(), robot)
+
+    assert (body.x_m, body.y_m) == pytest.approx((2.0 - 0.25 - robot.pushing.before_m, 0.0))
 
 
 def crowd(*places_m):
@@ -223,12 +248,12 @@ def test_things_on_furniture_do_not_keep_a_load_away():
 
 
 def test_a_robot_stands_where_the_bar_of_a_door_of_any_width_is_before_its_shoulder():
-    where = load_description("g1").handles
+    robot = load_description("g1")
     asides = []
     for radius_m in (0.38, 0.54):
         arc = DoorArc(np.array([2.0, 0.5]), 0.3, 1.0, radius_m, 0.075, 0.9)
         target = HandleTarget("door", "bar", "door", arc, 0.0, ("left",))
-        body = handle_standing_place(target, PlanarPose(), where)
+        body = handle_standing_place(target, PlanarPose(), robot)
         bar = arc.at(0.0).position_m
         asides.append(body.to(PlanarPose(float(bar[0]), float(bar[1]))).y_m)
 

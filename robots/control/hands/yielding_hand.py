@@ -95,6 +95,7 @@ class YieldingHand:
         self._tracker = HandTracker(standing, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper, self._grip = model.description.grippers[hand], grip
+        self._bar = self._gripper.bar if holding else None
         self._fingers = HandJoints(model.description, hand)
         self._parts = tuple(dict.fromkeys(parts))
         self._scene_from, self._s_from, self._s_to = guarded_scene(scene), s_from, s_to
@@ -214,7 +215,7 @@ class YieldingHand:
             return None
         self._yield_across(point.outward, point.across)
         if self._leading and self._phase == "lead":
-            self._spin = max(spin_along(self._path, self._gripper.bar), self._spin * SPIN_FADES)
+            self._spin = max(spin_along(self._path, self._bar), self._spin * SPIN_FADES)
         self._move_scene()
         pull_n = 0.0
         if self._opening and self._outcome == "running":

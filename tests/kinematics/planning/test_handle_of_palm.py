@@ -13,6 +13,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.handle_planner import HandlePlanner
+from kinematics.planning.pushing import hand_points
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -67,6 +68,41 @@ def test_a_palm_is_laid_on_the_bar_of_a_drawer_that_it_can_draw_out(g1, hand):
     # it comes within a quarter of a turn of squarely, and its fingers lie across the bar
     assert (tcp[:3, :3] @ way_to_bar(gripper))[0] > math.cos(0.5)
     assert abs(tcp[:3, 2] @ request.path.bar_axis) > 0.999
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_an_open_drawer_is_pushed_shut_beside_its_bar(g1, hand):
+    open_m, before_m = 0.25, g1.description.pushing.before_m
+    closed = np.array([before_m + open_m, 0.0, 0.78])
+    bar, front = closed - (open_m + STANDOFF_M, 0.0, 0.0), closed - (open_m, 0.0, 0.0)
+    lying = poses.transform(poses.rotation_x(0.5 * math.pi), bar)
+    scene = PlanningScene().with_objects(
+        [
+            SceneObject("bar", Cylinder(RADIUS_M, 0.16), lying, 0.005, movable=False),
+            SceneObject("front", Box((0.02, 0.45, 0.18)), poses.translation(*front), 0.015, movable=False),
+        ]
+    )
+    request = HandleRequest(
+        q_start=g1.q_home,
+        stance=stance_at(g1, g1.q_home),
+        scene=scene,
+        handle="bar",
+        parts=("front", "bar"),
+        path=DrawerLine(closed, 0.0),
+        s_from=open_m,
+        s_to=-0.03,
+        hands=(hand,),
+        pushed="front",
+    )
+
+    plan = HandlePlanner(g1).plan(request)
+
+    assert isinstance(plan, HandlePlan)
+    tcp = plan.grasp.world_T_tcp
+    points = hand_points(g1, hand, g1.q_home) @ tcp[:3, :3].T + tcp[:3, 3]
+    assert points[:, 0].max() == pytest.approx(front[0] - 0.01, abs=1e-9), "it just touches the front"
+    first = points[np.argmax(points[:, 0])]
+    assert 0.08 < abs(first[1]) < 0.225, "beside the bar, and not beside the front"
 
 
 def test_both_hands_come_to_a_bar_as_each_others_mirror_image(g1):

@@ -171,7 +171,7 @@ def opening_in(
         bodies = [(item.world_T_object, item.shape) for item in believed]
     if not fronts or not bodies:
         return None
-    return _opening(kind, fronts[0], bodies)
+    return opening_of(kind, fronts[0], bodies)
 
 
 def top_of_nearest(
@@ -188,8 +188,8 @@ def top_of_nearest(
     return max(near, key=lambda item: float(item[0][2, 3]))
 
 
-def _opening(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
-    """From the poses of a front and of what it closes; both have x pointing inwards."""
+def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
+    """How far a front is open, from its pose and those of what it closes; x of all points inwards."""
     body, shape = top_of_nearest(front.odom_T_object[:3, 3], bodies)
     yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
@@ -212,7 +212,7 @@ def _target(
     kind = kind_of(part)
     listed = list(seen)
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
-    opening = _opening(kind, front, bodies) if bodies else 0.0
+    opening = opening_of(kind, front, bodies) if bodies else 0.0
     place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
     inwards, left = panel[:3, 0], panel[:3, 1]
     if (place - panel[:3, 3]) @ inwards > 0.0:  # a handle is in front of what it opens

@@ -50,7 +50,7 @@ SKILLS = (
         task=CloseTask,
         tree=_close,
         example="close the drawer",
-        needs=frozenset({Need.HAND, Need.BARS, Need.SHUTS}),
+        needs=frozenset({Need.HAND, Need.BARS}),
         about=_about,
         goes_away=True,
     ),

@@ -53,7 +53,8 @@ class ChooseHandle(Leaf):
         wanted, first = task.object, self.get_input("seen")
         named = isinstance(wanted, ObjectDescription) and wanted.name is not None
         _, kind = kind_meant(task)
-        known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed)
+        drawers = self.toolbox.model.description.pushing.drawers
+        known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed, drawers)
         fitting = [item for item in known if kind in (None, item.kind)]
         chosen = first if named or not fitting else meant_part(task, fitting, self.toolbox)
         if isinstance(chosen, Failure):

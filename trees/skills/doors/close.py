@@ -1,4 +1,4 @@
-"""Close a door by a push against its front, else by its handle; a drawer by its handle."""
+"""Close a door by a push against its front, else by its handle; a drawer by its handle, or as a door."""
 
 from __future__ import annotations
 
@@ -54,6 +54,8 @@ def _push_shut(toolbox: Toolbox) -> Behaviour:
     main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
     tidy = CleanUp("push shut", timed, _leave(toolbox), worth_it=tidying_helps)
+    if toolbox.model.description.pushing.drawers:
+        return tidy
     return sequence("push", NamesDoor("names a door", toolbox), tidy)
 
 
@@ -90,13 +92,16 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
 
 
 def _recover(toolbox: Toolbox) -> Behaviour:
-    return sequence(
+    recover = sequence(
         "recover",
         ExcludeGrasp("exclude place", toolbox, {"tried_now": "tried"}),
         BestEffort(StepBack("step back", toolbox)),
         BestEffort(sequence("leave", *going(toolbox, DetectFront))),
         BestEffort(_search("look again", toolbox)),
     )
+    if toolbox.model.description.pushing.before_m is not None:  # which depends on how far it is open now
+        recover.add_child(BestEffort(come_to_handle(toolbox, _search("look there again", toolbox))))
+    return recover
 
 
 def _leave(toolbox: Toolbox) -> Behaviour:

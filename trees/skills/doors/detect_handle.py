@@ -94,20 +94,22 @@ class DetectHandle(LookLeaf):
 
 
 class DetectFront(DetectHandle):
-    """See a door that is to be pushed shut, with or without its handle.
+    """See a front that is to be pushed shut, with or without its handle.
 
-    An open door hides its handle from most directions, and a hand can push it without one.
+    An open door hides its handle from most directions, and a hand can push it without one. Drawers count for
+    a robot that pushes them.
     """
 
     _drawers = False
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
-        """Doors with what they belong to."""
-        self._drawers = any(kind_of(name) == DRAWER for name in seen)
-        return fronts_in(seen)
+        """Fronts with what they belong to."""
+        drawers = self.toolbox.model.description.pushing.drawers
+        self._drawers = not drawers and any(kind_of(name) == DRAWER for name in seen)
+        return fronts_in(seen, drawers)
 
     def judge(self, views: list[View]) -> Status | Failure:
-        """Drawers are not pushed: told so that nobody looks for a door behind them."""
+        """Drawers that are not pushed: told so that nobody looks for a door behind them."""
         outcome = super().judge(views)
         if isinstance(outcome, Failure) and outcome.kind is FailureKind.POSTCONDITION and self._drawers:
             return Failure.infeasible("a drawer is closed by its handle")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 from kinematics.geometry.planar import PlanarPose
-from kinematics.model.handle_settings import HandleStanding
+from kinematics.model.handle_settings import Pushing
+from kinematics.model.robot_description import RobotDescription
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from trees.beliefs.openings.handles import HandleTarget
 from trees.nodes.contract import Contract
@@ -11,18 +14,20 @@ from trees.nodes.ports import ports
 from trees.skills.walking.walk_to import WalkTo
 
 
-def handle_standing_place(target: HandleTarget, body: PlanarPose, where: HandleStanding) -> PlanarPose:
+def handle_standing_place(target: HandleTarget, body: PlanarPose, robot: RobotDescription) -> PlanarPose:
     """The pose of the body from which a handle's whole way is within reach.
 
     Args:
         target: The handle; its path is in the odometry frame.
         body: Where the body is now: a drawer is taken by the hand that is nearer then.
-        where: How the robot stands before such things.
+        robot: Says how it stands before such things.
 
     Raises:
         TypeError: The path is that of nothing known.
     """
-    path = target.path
+    path, where, pushing = target.path, robot.handles, robot.pushing
+    if target.pushed and pushing.before_m is not None:
+        return _before_front(target, pushing, pushing.before_m)
     if isinstance(path, DoorArc):
         hinge = PlanarPose(float(path.hinge_m[0]), float(path.hinge_m[1]), path.closed_yaw_rad)
         aside_m = where.hinge_aside_m
@@ -34,6 +39,19 @@ def handle_standing_place(target: HandleTarget, body: PlanarPose, where: HandleS
         bar = PlanarPose(float(path.closed_m[0]), float(path.closed_m[1]), path.yaw_rad)
         places = [bar @ PlanarPose(-where.bar_ahead_m, side * where.bar_aside_m) for side in (-1.0, 1.0)]
         return min(places, key=body.distance_m)
+    raise TypeError(f"nothing is known about {type(path).__name__}")
+
+
+def _before_front(target: HandleTarget, pushing: Pushing, before_m: float) -> PlanarPose:
+    """Square to what will be shut, before where the front is pushed as it is now."""
+    path, opening = target.path, target.opening
+    if isinstance(path, DoorArc):
+        hinge = PlanarPose(float(path.hinge_m[0]), float(path.hinge_m[1]), path.closed_yaw_rad)
+        out_m = pushing.places_m[0][0] * math.sin(opening)
+        return hinge @ PlanarPose(-out_m - before_m, path.side * pushing.beyond_hinge_m)
+    if isinstance(path, DrawerLine):
+        front = PlanarPose(float(path.closed_m[0]), float(path.closed_m[1]), path.yaw_rad)
+        return front @ PlanarPose(-opening - before_m)
     raise TypeError(f"nothing is known about {type(path).__name__}")
 
 
@@ -59,4 +77,4 @@ class WalkToHandle(WalkTo):
 
     def place(self, body: PlanarPose) -> PlanarPose:
         """Where the hinge, or the bar, is where the hand wants it."""
-        return handle_standing_place(self._target, body, self.toolbox.model.description.handles)
+        return handle_standing_place(self._target, body, self.toolbox.model.description)

@@ -7,13 +7,13 @@ from py_trees.ports import PortInformation
 from kinematics.model.robot_description import Hand
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
+from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.drawer_inside import without_drawn
 from trees.beliefs.openings.handles import CLOSE_TO, OPEN_TO, HandleTarget
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
 from trees.port_values import Step
-from trees.skills.doors.pushed_front import PUSH_TO_RAD
 from trees.tasks import OpenTask
 
 
@@ -37,8 +37,8 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
         """The hands of the target, unless one is named."""
         toolbox, task = self.toolbox, self.get_input("task")
         target: HandleTarget = self.get_input("handle")
-        if target.pushed:
-            self._lead_to = PUSH_TO_RAD
+        if target.pushed and target.kind == DOOR:
+            self._lead_to = -toolbox.model.description.pushing.past_rad
         else:
             self._lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
         return HandleRequest(
@@ -58,7 +58,10 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
 
     def _hands(self, target: HandleTarget) -> tuple[Hand, ...]:
         """Those that suit the handle, as far as the robot has them; else those that it has."""
-        has = self.toolbox.model.description.gripping_hands
+        robot = self.toolbox.model.description
+        has = robot.gripping_hands
+        if target.pushed and robot.pushing.before_m is not None:  # beyond a hinge the other has more room
+            return tuple(sorted(has, key=lambda hand: hand in target.hands))
         return tuple(hand for hand in target.hands if hand in has) or has
 
     def planned(self, plan: HandlePlan) -> None:

@@ -1,4 +1,4 @@
-"""Doors as they are pushed shut: known by their front and by what they belong to, without the handle."""
+"""What is pushed shut: known by its front and by what that belongs to, without the handle."""
 
 from __future__ import annotations
 
@@ -12,38 +12,52 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
-from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
-from robots.scenes.articulated import DOOR, PART_KINDS
-from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, top_of_nearest
+from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
+from trees.beliefs.openings.handles import (
+    BODY_OF,
+    HandleTarget,
+    handles_in,
+    opening_of,
+    top_of_nearest,
+)
 from trees.beliefs.scene.scene_update import kind_of
 
-PUSH_TO_RAD = -0.12
-"""Where a pushing hand is led: the frame stops the door before; which part of the hand will touch it there
-is not known to some centimetres."""
 _TOLD_RAD, _MOST_RAD = 0.12, 2.3
 """From which angle on a panel alone tells its hinge; beyond the other it was seen the wrong way round."""
 
 
-def fronts_in(seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
-    """Every door that was seen with what it belongs to; with its bar, where that was seen too.
+def fronts_in(seen: Mapping[str, ObjectEstimate], drawers: bool = False) -> list[HandleTarget]:
+    """Every front that was seen with what it belongs to; with its bar, where that was seen too.
 
     Args:
         seen: What a look saw, by name in the planning scene.
+        drawers: Whether those of drawers count.
     """
     known = {target.part: replace(target, pushed=True) for target in handles_in(seen)}
-    bodies = [item for item in seen.values() if item.kind == BODY_OF[DOOR]]
     found = []
     for name, panel in seen.items():
-        if kind_of(name) == DOOR and bodies:
-            target = known.get(name) or _front(name, panel, bodies)
-            if target is not None:
-                found.append(target)
+        kind = kind_of(name)
+        bodies = [item for item in seen.values() if item.kind == BODY_OF.get(kind)]
+        if not bodies or kind not in ((DOOR, DRAWER) if drawers else (DOOR,)):
+            continue
+        target = known.get(name) or (_door if kind == DOOR else _drawer)(name, panel, bodies)
+        if target is not None:
+            found.append(target)
     return found
 
 
-def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:
+def _drawer(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget:
+    """A drawer by its front; x of that and of what it is in points inwards."""
+    solids = [(item.odom_T_object, item.shape) for item in bodies]
+    middle, opening = panel.odom_T_object[:3, 3], opening_of(DRAWER, panel, solids)
+    line = DrawerLine(middle, poses.yaw_of(panel.odom_T_object[:3, :3])).through(middle, opening)
+    return HandleTarget(DRAWER, name, name, line, opening, ("left", "right"), pushed=True)
+
+
+def _door(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:
     """The hinge is where an edge of the panel meets a front corner of the body; x of both points inwards.
 
     None for a door that is nearly closed, and might hang on either side.
@@ -82,16 +96,19 @@ def _front(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Ha
     return None
 
 
-def known_parts(scene: PlanningScene, body: PlanarPose, pushed: bool) -> list[HandleTarget]:
-    """Every door and drawer that was seen, now or before; of those that are pushed, every door.
+def known_parts(
+    scene: PlanningScene, body: PlanarPose, pushed: bool, drawers: bool = False
+) -> list[HandleTarget]:
+    """Every door and drawer that was seen, now or before; of those that are pushed, every front.
 
     Args:
         scene: What is believed.
         body: Where the robot stands.
-        pushed: Whether a door's front is enough, without its handle.
+        pushed: Whether a front is enough, without its handle.
+        drawers: Whether drawers are pushed too.
     """
     seen = _remembered(scene)
-    return fronts_in(seen) if pushed else handles_in(seen, body)
+    return fronts_in(seen, drawers) if pushed else handles_in(seen, body)
 
 
 def _remembered(scene: PlanningScene) -> Mapping[str, ObjectEstimate]:

@@ -59,14 +59,15 @@ class RecallHandle(Leaf):
         task: OpenTask | CloseTask = self.get_input("task")
         noun, kind = kind_meant(task)
         body = feet_pose(toolbox)
-        targets = known_parts(toolbox.world.scene, body, self._pushed)
+        drawers = toolbox.model.description.pushing.drawers
+        targets = known_parts(toolbox.world.scene, body, self._pushed, drawers)
         fitting = [item for item in targets if kind in (None, item.kind)]
         if not fitting:
             return Failure.postcondition(f"no {noun or 'door or drawer'} was seen before")
         chosen = meant_part(task, fitting, toolbox)
         if isinstance(chosen, Failure):
             return Failure.postcondition(f"which {noun} was meant has to be seen")
-        place = body.to(handle_standing_place(chosen, body, toolbox.model.description.handles))
+        place = body.to(handle_standing_place(chosen, body, toolbox.model.description))
         away_m = math.hypot(place.x_m, place.y_m)
         # Right before an open drawer there is no room for the feet to turn to what is beside the robot.
         if away_m < _FAR_M and abs(place.yaw_rad) < toolbox.policy.beside_rad:

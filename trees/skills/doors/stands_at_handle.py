@@ -35,8 +35,8 @@ class StandsAtHandle(Leaf):
         if toolbox.walking is None or toolbox.model.description.walking is None:
             return DONE
         body = feet_pose(toolbox)
+        left = body.to(handle_standing_place(handle, body, toolbox.model.description))
         where = toolbox.model.description.handles
-        left = body.to(handle_standing_place(handle, body, where))
         off_m, off_rad = math.hypot(left.x_m, left.y_m), abs(left.yaw_rad)
         self.measured(off_m=off_m, off_rad=off_rad)
         if off_m > where.near_m or off_rad > where.near_rad:

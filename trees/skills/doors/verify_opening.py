@@ -32,7 +32,7 @@ class VerifyOpening(LookLeaf):
         """Compare what is seen with what was felt and with what was asked."""
         target: HandleTarget = self.get_input("handle")
         # what a pushing hand felt of its way is not the door's
-        felt = None if target.pushed else self.optional("opening")
+        felt = None if target.pushed else self.felt()
         seen = opening_in(estimates_of(views), target.kind, self.toolbox.world.scene, target)
         best = seen if seen is not None else felt
         if best is None:
@@ -56,8 +56,20 @@ class VerifyOpening(LookLeaf):
         self.feedback_message = f"{target.shown(best):.2f} {target.unit}"
         return DONE
 
+    def felt(self) -> float | None:
+        """The opening that the hand has felt."""
+        felt: float | None = self.optional("opening")
+        return felt
+
 
 class IsItSo(VerifyOpening):
-    """As ``VerifyOpening``, before anything is moved: that it is not as asked is an answer, not a failure."""
+    """As ``VerifyOpening``, before anything is moved: that it is not as asked is an answer, not a failure.
+
+    It is seen or not known: what an attempt before has felt tells nothing about what came of it.
+    """
 
     ASKS = True
+
+    def felt(self) -> float | None:
+        """Nothing."""
+        return None

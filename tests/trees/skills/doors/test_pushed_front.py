@@ -16,9 +16,9 @@ def estimate(kind, shape, pose):
     return ObjectEstimate("furniture", kind, None, pose, shape, 0.9, 8, 0.0)
 
 
-def seen(opening, without=()):
-    """A perfect look at the fridge, with its door opened so far."""
-    (piece,) = load_scene("fridge").furniture
+def seen(opening, without=(), scene="fridge"):
+    """A perfect look at the fridge, with its door opened so far, or at another piece."""
+    (piece,) = load_scene(scene).furniture
     found = {
         f"{piece.kind} {i}": estimate(piece.kind, solid.shape, solid.world_T_solid)
         for i, solid in enumerate(solids(piece), start=2)
@@ -67,6 +67,20 @@ def test_a_door_that_is_nearly_closed_tells_its_side_by_its_handle_alone():
     assert target.pushed
     assert target.hands == ("left",)
     assert fronts_in(seen(0.05, without=("handle",))) == []
+
+
+@pytest.mark.parametrize("without", [(), ("handle",)])
+def test_a_drawer_is_known_by_its_front_for_a_robot_that_pushes_drawers(without):
+    look = seen(0.25, without, "drawers")
+
+    (target,) = fronts_in(look, drawers=True)
+
+    assert fronts_in(look) == []
+    assert (target.kind, target.pushed) == ("drawer", True)
+    assert target.opening == pytest.approx(0.25, abs=1e-9)
+    front = look[target.part].odom_T_object
+    assert target.path.at(0.25).outward == pytest.approx(-front[:3, 0], abs=1e-9)
+    assert target.path.at(0.25).position_m[2] == pytest.approx(front[2, 3], abs=0.01)
 
 
 def test_without_its_body_a_door_tells_no_angle():

@@ -8,7 +8,7 @@ from kinematics.scene.opening_path import DoorArc
 from trees.beliefs.openings.handles import HandleTarget
 from trees.failures import Reason
 from trees.skills.doors.open import seen_already
-from trees.skills.doors.verify_opening import VerifyOpening
+from trees.skills.doors.verify_opening import IsItSo, VerifyOpening
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 FRIDGE = ObjectDescription("fridge")
@@ -20,8 +20,8 @@ def verify(stage):
     arc = DoorArc(np.array([0.8, 0.75]), 0.0, 1.0, 0.5, 0.05, 1.0)
     target = HandleTarget("door", "handle", "door", arc, 0.0, ("left",))
 
-    def run(task, opening, **inputs):
-        leaf = VerifyOpening("verify", stage.toolbox)
+    def run(task, opening, kind=VerifyOpening, **inputs):
+        leaf = kind("verify", stage.toolbox)
         stage.run(leaf, task=task, handle=target, opening=opening, **inputs)
         return leaf
 
@@ -39,6 +39,12 @@ def test_a_door_that_nobody_has_opened_is_not_open(verify):
 
 def test_a_door_that_a_hand_has_led_open_did_not_stay_open(verify):
     assert verify(OPEN, 0.1, opened={"opening_deg": 80.0}).failure.message == "the door did not stay open"
+
+
+def test_what_an_attempt_before_has_felt_does_not_tell_that_it_is_so_already(verify):
+    failure = verify(CLOSE, -0.16, kind=IsItSo, opened={"opening_deg": -9.2}).failure
+
+    assert failure.message == "the door is out of sight"
 
 
 def test_what_was_seen_is_not_overruled_by_the_hand_from_where_it_is_out_of_sight(verify):
