@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.model.handle_settings import PADS_ON_A_BAR, BarGrip
+from kinematics.model.handle_settings import PADS_ON_A_BAR
+from kinematics.model.robot_description import Hand, RobotDescription
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.scene.opening_path import DoorArc, OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
@@ -83,20 +84,34 @@ def speed_along(path: OpeningPath) -> float:
     return DOOR_SPEED_RAD_S if isinstance(path, DoorArc) else DRAWER_SPEED_M_S
 
 
-def spin_along(path: OpeningPath, bar: BarGrip | None) -> float:
-    """How much the hand's turn about the bar matters while the path is followed.
+@dataclass(frozen=True, slots=True)
+class HandTurn:
+    """How a hand turns about the bar while a path is followed.
 
-    Args:
-        path: Of the handle.
-        bar: How the hand holds it; None of a hand that pushes: it turns as it likes.
+    Attributes:
+        weight: How much its turn matters.
+        taken_along: Whether it turns as the door does; else it keeps its heading.
     """
-    return (bar or PADS_ON_A_BAR).spin if isinstance(path, DoorArc) else HELD_SPIN
+
+    weight: float
+    taken_along: bool = True
+
+    def rotation(self, path: OpeningPath, start: Array, s_from: float, s_to: float) -> Array:
+        """A rotation, shape (3, 3), at another opening than the one at which it was ``start``."""
+        if not self.taken_along:
+            return start
+        pose = poses.transform(start, (0.0, 0.0, 0.0))
+        return np.asarray(path.part_moved(pose, s_from, s_to)[:3, :3])
 
 
-def turned_with(path: OpeningPath, rotation: Array, s_from: float, s_to: float) -> Array:
-    """A rotation, shape (3, 3), taken along by the handle from one opening to another."""
-    pose = poses.transform(rotation, (0.0, 0.0, 0.0))
-    return np.asarray(path.part_moved(pose, s_from, s_to)[:3, :3])
+def turn_along(path: OpeningPath, robot: RobotDescription, hand: Hand, holding: bool) -> HandTurn:
+    """How a robot's hand turns along a path, on which it holds a handle or pushes."""
+    if not isinstance(path, DoorArc):
+        return HandTurn(HELD_SPIN)
+    if holding:
+        return HandTurn(robot.grippers[hand].bar.spin)
+    kept = robot.pushing.heading_weight
+    return HandTurn(PADS_ON_A_BAR.spin) if kept is None else HandTurn(kept, taken_along=False)
 
 
 def scene_at(

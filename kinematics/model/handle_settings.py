@@ -65,6 +65,8 @@ class Pushing:
         past_rad: A door is led so far beyond where it is shut: its frame stops it before, and which part of
             the hand touches it there is not known to some centimetres.
         before_m: It stands so far before the front as it is; None where it stands as to open it.
+        heading_weight: How much it matters that the hand keeps its heading, nearly square to the front when
+            that is shut: one that turns slides along it. None where the hand turns as it likes.
         beyond_hinge_m: And so far beyond a door's hinge: an open door looks to that side.
     """
 
@@ -79,6 +81,7 @@ class Pushing:
     past_rad: float = 0.12
     before_m: float | None = None
     beyond_hinge_m: float = 0.0
+    heading_weight: float | None = None
 
 
 PADS_ON_A_BAR, FAR_REACH, FROM_FAR = BarGrip(), HandleStanding(), Pushing()

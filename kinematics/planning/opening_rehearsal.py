@@ -20,8 +20,7 @@ from kinematics.following.opening_motion import (
     guarded_scene,
     scene_at,
     speed_along,
-    spin_along,
-    turned_with,
+    turn_along,
 )
 from kinematics.model.robot_description import Hand
 from kinematics.model.standing_robot import StandingRobot
@@ -83,7 +82,7 @@ def rehearse(
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
     way, speed, spin = math.copysign(1.0, s_to - s_from), speed_along(path), HELD_SPIN
-    start, bar = path.at(s_from), robot.model.description.grippers[hand].bar if holding else None
+    start, turn = path.at(s_from), turn_along(path, robot.model.description, hand, holding)
     shift = com_shift_m(robot, start.outward, at_z_m, BREAK_FREE_N if way > 0.0 else 0.0)
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
@@ -107,12 +106,12 @@ def rehearse(
             return Rehearsal(s, "")
         step = min(speed * tick_s, step + GATHERING * speed * tick_s**2)
         s = s_to if abs(s_to - s) <= step else s + way * step
-        spin = max(spin_along(path, bar), spin * SPIN_FADES ** (tick_s / TICK_S))
+        spin = max(turn.weight, spin * SPIN_FADES ** (tick_s / TICK_S))
         point = path.at(s)
         eased = com_shift_m(robot, point.outward, at_z_m, MOVING_N if way > 0.0 else 0.0)
         steps += 1
         tracker.tick(
-            HandGoal(point.position_m, turned_with(path, rotation, s_from, s), spin, axis, eased), times
+            HandGoal(point.position_m, turn.rotation(path, rotation, s_from, s), spin, axis, eased), times
         )
         off_m = float(np.linalg.norm(tracker.tcp_m - point.position_m))
         if off_m > _OFF_M or (tracker.tcp_rotation @ own_axis) @ axis < _OFF_COSINE or not tracker.standing:

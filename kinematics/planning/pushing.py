@@ -28,8 +28,9 @@ from kinematics.scene.opening_path import DoorArc
 from kinematics.scene.planning_scene import SceneObject
 
 APPROACH_M = 0.07
-_FOLLOWED = (0.8, 0.6, 1.0, 0.4)
-"""Of the door's angle: the hand is turned by so much less than square to the front."""
+_FOLLOWED, _KEPT = (0.8, 0.6, 1.0, 0.4), (1.0, 0.8)
+"""Of the door's angle: the hand is turned by so much less than square to the front; and of one that keeps its
+heading, whose fingertips would come behind the bar if it pointed to the free edge when the door is shut."""
 _TURNS_RAD, _PALM_TURNS_RAD = (0.0,), (0.0, 0.5, -0.3, 1.0)
 """So far the left hand is turned from pointing at what it pushes; a palm may look at it."""
 _ASIDE, _HIGH = (0.35, -0.35), (0.0, 0.2, -0.2)
@@ -79,11 +80,12 @@ def _places(
             place = middle + aside * width_m * across + high * height_m * np.array([0.0, 0.0, 1.0])
             yield f"push at {aside * width_m:+.2f} {place[2]:.2f}", place, 0.0
         return
-    for away_m, at_m in model.description.pushing.places_m:
+    pushing = model.description.pushing
+    for away_m, at_m in pushing.places_m:
         if away_m > width_m:
             continue
         place = np.array([*path.hinge_m, at_m]) + away_m * _along(path, outward)
-        for followed in _FOLLOWED:
+        for followed in _FOLLOWED if pushing.heading_weight is None else _KEPT:
             label = f"push at {away_m:.2f} {at_m:.2f} turned {followed:.1f}"
             yield label, place, path.side * followed * request.s_from
 

@@ -26,8 +26,7 @@ from kinematics.following.opening_motion import (
     most_pull_n,
     scene_at,
     speed_along,
-    spin_along,
-    turned_with,
+    turn_along,
 )
 from kinematics.model.robot_description import Hand
 from kinematics.model.standing_robot import StandingRobot
@@ -95,7 +94,7 @@ class YieldingHand:
         self._tracker = HandTracker(standing, hand, q)
         self._force = HandForce(model, hand, model.description.joint_viscosity_nms_rad)
         self._gripper, self._grip = model.description.grippers[hand], grip
-        self._bar = self._gripper.bar if holding else None
+        self._turn = turn_along(path, model.description, hand, holding)
         self._fingers = HandJoints(model.description, hand)
         self._parts = tuple(dict.fromkeys(parts))
         self._scene_from, self._s_from, self._s_to = guarded_scene(scene), s_from, s_to
@@ -215,7 +214,7 @@ class YieldingHand:
             return None
         self._yield_across(point.outward, point.across)
         if self._leading and self._phase == "lead":
-            self._spin = max(spin_along(self._path, self._bar), self._spin * SPIN_FADES)
+            self._spin = max(self._turn.weight, self._spin * SPIN_FADES)
         self._move_scene()
         pull_n = 0.0
         if self._opening and self._outcome == "running":
@@ -223,7 +222,7 @@ class YieldingHand:
         at_z_m = float(point.position_m[2])
         return HandGoal(
             position_m=point.position_m + self._give,
-            rotation=turned_with(self._path, self._rotation, self._s_from, self._s),
+            rotation=self._turn.rotation(self._path, self._rotation, self._s_from, self._s),
             spin_weight=self._spin,
             spin_axis=self._path.bar_axis,
             com_shift_m=com_shift_m(self._standing, point.outward, at_z_m, pull_n),

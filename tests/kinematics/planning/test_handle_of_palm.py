@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from kinematics.following.opening_motion import BREAK_FREE_N, com_shift_m, most_pull_n, spin_along
+from kinematics.following.opening_motion import BREAK_FREE_N, com_shift_m, most_pull_n, turn_along
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.palm_grip import way_to_bar
@@ -119,9 +119,18 @@ def test_pads_come_to_a_bar_along_themselves(talos):
 def test_fingers_around_a_bar_turn_with_a_door_and_pads_hardly_do(g1, talos):
     arc = DoorArc(np.zeros(2), 0.0, 1.0, 0.4, 0.05, 0.9)
 
-    assert spin_along(arc, g1.description.grippers["left"].bar) > spin_along(
-        arc, talos.description.grippers["left"].bar
-    )
+    palm, pads = (turn_along(arc, robot.description, "left", holding=True) for robot in (g1, talos))
+
+    assert palm.weight > pads.weight
+
+
+def test_a_palm_that_pushes_keeps_its_heading_and_one_that_holds_a_bar_turns_with_the_door(g1):
+    arc, square = DoorArc(np.zeros(2), 0.0, 1.0, 0.4, 0.05, 0.9), np.eye(3)
+
+    pushes, holds = (turn_along(arc, g1.description, "left", holding) for holding in (False, True))
+
+    np.testing.assert_array_equal(pushes.rotation(arc, square, 1.0, 0.0), square)
+    np.testing.assert_allclose(holds.rotation(arc, square, 1.0, 0.0), poses.rotation_z(1.0), atol=1e-12)
 
 
 def test_a_light_robot_goes_back_for_a_pull_no_farther_than_the_checker_lets_it(g1):
