@@ -64,9 +64,18 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
                 if key_of(hand, label) in request.excluded:
                     continue
                 rotation = poses.rotation_z(inward_yaw + turned + sign * turn)
-                stands_off_m = 0.5 * thickness_m + float(np.max(points @ rotation.T @ -outward))
-                pose = poses.transform(rotation, place + stands_off_m * outward)
-                yield Grasp(hand, label, pose, APPROACH_M, 0.0)
+                around = points @ rotation.T
+                inwards = around @ -outward
+                at = place + (0.5 * thickness_m + float(np.max(inwards))) * outward
+                if not isinstance(request.path, DoorArc):  # near its edge: what comes first is to be there
+                    at = at - _aside(around[np.argmax(inwards)], outward)
+                yield Grasp(hand, label, poses.transform(rotation, at), APPROACH_M, 0.0)
+
+
+def _aside(offset: Array, outward: Array) -> Array:
+    """The level part of an offset that is along a front, shape (3,)."""
+    along = np.array([-outward[1], outward[0], 0.0])
+    return np.asarray(offset @ along * along)
 
 
 def _places(
