@@ -26,7 +26,7 @@ from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.planning.grasps import key_of
 from kinematics.planning.opening_rehearsal import rehearse
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, PlanningTask
-from kinematics.planning.pushing import assumed_bars, outward_of, push_grasps
+from kinematics.planning.pushing import assumed_bars, outward_of, push_grasps, shut_at
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.requests.step import NoPlan, WhyNoPlan
@@ -186,16 +186,17 @@ class _HandleTask(PlanningTask):
         if not self.planner.is_free(x_pregrasp) or not near.curve_is_free(approach):
             return "approach collides"
         q_grasp = self.space.to_q(x_grasp[None, :])[0][0]
+        lead_to = shut_at(self._model, request, grasp) if request.pushed else request.s_to
         rehearsal = rehearse(
             self.robot, grasp.hand, q_grasp, scene, request.parts, request.path,
-            request.s_from, request.s_to, not request.pushed,
+            request.s_from, lead_to, not request.pushed,
         )  # fmt: skip
         if rehearsal.reason:
             best = self.farthest_s
             farther = best is None or abs(rehearsal.farthest_s - request.s_from) > abs(best - request.s_from)
             self.farthest_s = rehearsal.farthest_s if farther else best
             return rehearsal.reason
-        return self._timed(grasp, x_pregrasp, approach, rehearsal.farthest_s)
+        return self._timed(grasp, x_pregrasp, approach, lead_to)
 
     def _at(self, grasp: Grasp) -> IkResult | None:
         """The robot with its hand at the handle; None where no way to hold it there was found.
@@ -223,7 +224,7 @@ class _HandleTask(PlanningTask):
         before[:3, 3] += grasp.approach_m * outward_of(self.request)
         return before
 
-    def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, farthest_s: float) -> HandlePlan | str:
+    def _timed(self, grasp: Grasp, x_pregrasp: Array, approach: Curve, lead_to: float) -> HandlePlan | str:
         arms = self._model.description.arms
         reach = self.path(x_pregrasp, arms, np.random.default_rng(self.request.seed))
         if reach is None:
@@ -234,7 +235,7 @@ class _HandleTask(PlanningTask):
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
             return "legs cannot follow"
-        return HandlePlan(grasp, first, second, farthest_s, self.considered)
+        return HandlePlan(grasp, first, second, lead_to, self.considered)
 
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""

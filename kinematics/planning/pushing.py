@@ -31,6 +31,8 @@ APPROACH_M = 0.07
 _FOLLOWED, _KEPT = (0.8, 0.6, 1.0, 0.4), (1.0, 0.8)
 """Of the door's angle: the hand is turned by so much less than square to the front; and of one that keeps its
 heading, whose fingertips would come behind the bar if it pointed to the free edge when the door is shut."""
+_MORE_RAD, _EVERY_RAD = 0.5, 0.01
+"""A hand that keeps its heading is led by at most so much farther than the door, looked for in such steps."""
 _TURNS_RAD, _PALM_TURNS_RAD = (0.0,), (0.0, 0.5, -0.3, 1.0)
 """So far the left hand is turned from pointing at what it pushes; a palm may look at it."""
 _ASIDE, _HIGH = (0.35, -0.35), (0.0, 0.2, -0.2)
@@ -70,6 +72,30 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
                 if not isinstance(request.path, DoorArc):  # near its edge: what comes first is to be there
                     at = at - _aside(around[np.argmax(inwards)], outward)
                 yield Grasp(hand, label, poses.transform(rotation, at), APPROACH_M, 0.0)
+
+
+def shut_at(model: RobotModel, request: HandleRequest, grasp: Grasp) -> float:
+    """Where on the hand's own path what it pushes is as far shut as the request wants it, rad or m.
+
+    Of a hand that keeps its heading one part after another comes first while the door turns: the door is not
+    where the hand is on its arc.
+    """
+    path, front = request.path, request.scene.objects[request.pushed]
+    kept = model.description.pushing.heading_weight is not None
+    if not isinstance(path, DoorArc) or not isinstance(front.shape, Box) or not kept:
+        return request.s_to
+    closed = poses.rotation_z(path.closed_yaw_rad)
+    hand = hand_points(model, grasp.hand, request.q_start) @ grasp.world_T_tcp[:3, :3].T
+    way = path.through(grasp.world_T_tcp[:3, 3], request.s_from)
+    openings = np.arange(request.s_from, request.s_to - _MORE_RAD, -_EVERY_RAD)
+    # (openings, points of the hand, 2): out from the hinge along the closed door, and before it
+    places = np.array([way.at(float(s)).position_m for s in openings])[:, None] + hand - [*path.hinge_m, 0.0]
+    along, before = -path.side * (places @ closed[:, 1]), -(places @ closed[:, 0])
+    radius = np.hypot(along, before)
+    met = np.arctan2(before, along) - np.arcsin(np.clip(0.5 * front.shape.size_m[0] / radius, -1.0, 1.0))
+    met[radius > front.shape.size_m[1]] = np.inf  # beside its free edge
+    shut = np.flatnonzero(met.min(axis=1) <= request.s_to)
+    return float(openings[shut[0] if len(shut) else -1])
 
 
 def _aside(offset: Array, outward: Array) -> Array:

@@ -18,15 +18,15 @@ class HandlePlan:
     Attributes:
         grasp: The chosen grasp.
         reach, approach: The two steps, in this order.
-        farthest_s: How far along the path, rad or m, the hand was found to get: to ``s_to`` of the request,
-            or so little less that the planner takes the handle for open.
+        lead_to: Where along the path, rad or m, the hand is to be led: to ``s_to`` of the request, or where a
+            front is shut that is pushed by a hand that keeps its heading.
         considered: How many grasps were looked at.
     """
 
     grasp: Grasp
     reach: PlannedStep
     approach: PlannedStep
-    farthest_s: float
+    lead_to: float
     considered: int
 
 

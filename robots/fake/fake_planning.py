@@ -248,7 +248,7 @@ class FakePlanning:
             grasp=Grasp(hand, "bar", world_T_tcp, _APPROACH_M, _BAR_M),
             reach=self._step("reach", request.q_start, before, request.stance, request.scene),
             approach=self._step("approach", before, at_bar, request.stance, request.scene, in_hand),
-            farthest_s=request.s_to,
+            lead_to=request.s_to,
             considered=1,
         )
 

@@ -38,9 +38,9 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
         toolbox, task = self.toolbox, self.get_input("task")
         target: HandleTarget = self.get_input("handle")
         if target.pushed and target.kind == DOOR:
-            self._lead_to = -toolbox.model.description.pushing.past_rad
+            lead_to = -toolbox.model.description.pushing.past_rad
         else:
-            self._lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+            lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
         return HandleRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
@@ -49,7 +49,7 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
             parts=tuple(dict.fromkeys((target.part, target.handle))),
             path=target.path,
             s_from=target.opening,
-            s_to=self._lead_to,
+            s_to=lead_to,
             hands=self._hands(target) if task.hand is None else (task.hand,),
             excluded=self.get_input("tried"),
             seed=int(toolbox.rng.integers(2**31)),
@@ -67,7 +67,7 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
     def planned(self, plan: HandlePlan) -> None:
         """Write grasp and steps."""
         self._set_output("grasp", plan.grasp)
-        self._set_output("lead_to", self._lead_to)
+        self._set_output("lead_to", plan.lead_to)
         self.write_step("reach", plan.reach)
         self.write_step("approach", plan.approach)
         self.feedback_message = f"{plan.grasp.hand} hand, {plan.grasp.label}"
