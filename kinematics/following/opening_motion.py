@@ -63,11 +63,11 @@ def com_shift_m(robot: StandingRobot, outward: Array, at_z_m: float, force_n: fl
 
 
 def most_pull_n(robot: StandingRobot, outward: Array, at_z_m: float) -> float:
-    """How hard a robot may pull at what does not give way, N; without bound for a welded one.
+    """How hard a robot may pull or push at what does not give way, N; without bound for a welded one.
 
     Args:
-        robot: Where it stands; it tips about the front of its soles, with its CoM shifted back.
-        outward: Unit vector of the pull, shape (3,).
+        robot: Where it stands; it tips about the edge of its soles, with its CoM shifted away from that.
+        outward: Unit vector of the pull or push, shape (3,).
         at_z_m: Height of the pull in the odometry frame.
     """
     corners, height_m = robot.polygon.vertices_m, at_z_m - robot.stance.height_m

@@ -102,9 +102,9 @@ class YieldingHand:
         self._way = math.copysign(1.0, s_to - s_from) if s_to != s_from else 0.0
         self._opening = self._way > 0.0
         self._most_n = settings.force_limit_n
-        if self._opening:
+        if self._way:
             point = path.at(s_from)
-            bears_n = most_pull_n(standing, point.outward, float(point.position_m[2]))
+            bears_n = most_pull_n(standing, self._way * point.outward, float(point.position_m[2]))
             self._most_n = min(self._most_n, bears_n)
         self._leading = self._way != 0.0
         self._s, self._speed = s_from, 0.0
@@ -275,7 +275,7 @@ class YieldingHand:
         wanted = min(wanted, math.sqrt(2.0 * settings.acceleration * full * left) + 0.02 * full)
         most, slow = self._most_n, settings.slow_share
         if self._at_stop:
-            most = settings.stop_force_n
+            most = min(most, settings.stop_force_n)
         if against_n > slow * most:
             wanted *= max(0.0, 1.0 - (against_n - slow * most) / ((1.0 - slow) * most))
         change = wanted - self._speed

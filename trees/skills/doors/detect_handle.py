@@ -19,7 +19,7 @@ from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
 from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed
-from trees.skills.doors.pushed_front import fronts_in
+from trees.skills.doors.pushed_front import fronts_in, with_known_bars
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -103,10 +103,10 @@ class DetectFront(DetectHandle):
     _drawers = False
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
-        """Fronts with what they belong to."""
+        """Fronts with what they belong to, and with bars that were seen on them before."""
         drawers = self.toolbox.model.description.pushing.drawers
         self._drawers = not drawers and any(kind_of(name) == DRAWER for name in seen)
-        return fronts_in(seen, drawers)
+        return with_known_bars(fronts_in(seen, drawers), self.toolbox.world.scene)
 
     def judge(self, views: list[View]) -> Status | Failure:
         """Drawers that are not pushed: told so that nobody looks for a door behind them."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +15,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
-from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
+from robots.scenes.articulated import DOOR, DRAWER, HANDLE, PART_KINDS
 from trees.beliefs.openings.handles import (
     BODY_OF,
     HandleTarget,
@@ -25,6 +25,8 @@ from trees.beliefs.openings.handles import (
 )
 from trees.beliefs.scene.scene_update import kind_of
 
+_BAR_OFF_M = 0.12
+"""A bar is no farther than this before its front."""
 _TOLD_RAD, _MOST_RAD = 0.12, 2.3
 """From which angle on a panel alone tells its hinge; beyond the other it was seen the wrong way round."""
 
@@ -94,6 +96,28 @@ def _door(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Han
             hand: Hand = "left" if side > 0.0 else "right"
             return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True)
     return None
+
+
+def with_known_bars(fronts: Sequence[HandleTarget], scene: PlanningScene) -> list[HandleTarget]:
+    """Fronts with their bars, where these are out of sight now and were seen before: a bar moves along."""
+    bars = [name for name in scene.objects if kind_of(name) == HANDLE]
+    return [
+        next((replace(one, handle=bar) for bar in bars if _is_on(one.part, bar, scene)), one)
+        if one.handle == one.part
+        else one
+        for one in fronts
+    ]
+
+
+def _is_on(part: str, bar: str, scene: PlanningScene) -> bool:
+    """Whether a bar is where those of a front can be, as that is now."""
+    front = scene.objects[part]
+    if not isinstance(front.shape, Box):
+        return False
+    off = poses.inverse(front.world_T_object) @ scene.objects[bar].world_T_object[:, 3]
+    return bool(
+        abs(off[0]) <= _BAR_OFF_M and np.all(np.abs(off[1:3]) <= 0.5 * np.array(front.shape.size_m[1:]))
+    )
 
 
 def known_parts(

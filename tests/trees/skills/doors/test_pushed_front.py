@@ -1,15 +1,19 @@
 """What a look at an open door tells of where to push it, with its handle out of sight."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from kinematics.geometry import poses
 from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene
 from trees.beliefs.openings.handles import handles_in
-from trees.skills.doors.pushed_front import fronts_in
+from trees.skills.doors.pushed_front import fronts_in, with_known_bars
 
 
 def estimate(kind, shape, pose):
@@ -87,3 +91,17 @@ def test_without_its_body_a_door_tells_no_angle():
     look = {"door": seen(0.9)["door"]}
 
     assert fronts_in(look) == []
+
+
+def test_a_bar_that_is_out_of_sight_now_goes_with_the_front_on_which_it_was_seen():
+    look = seen(0.9)
+    scene = PlanningScene().with_objects(
+        SceneObject(name, item.shape, item.odom_T_object, movable=False) for name, item in look.items()
+    )
+    fronts = fronts_in(seen(0.9, without=("handle",)))
+
+    (known,) = with_known_bars(fronts, scene)
+    elsewhere = replace(scene.objects["handle"], world_T_object=poses.translation(0.0, 3.0, 1.0))
+    (unknown,) = with_known_bars(fronts, scene.with_object(elsewhere))
+
+    assert (known.handle, unknown.handle) == ("handle", "door")

@@ -10,6 +10,7 @@ from kinematics.model.palm_grip import way_to_bar
 from kinematics.requests.grasp import Grasp
 from kinematics.scene.opening_path import DrawerLine
 from robots.control.hands.yield_order import YieldOrder
+from robots.control.hands.yield_settings import YieldReport
 from robots.control.motion_handle import MotionHandle
 from trees.beliefs.openings.handles import HandleTarget
 from trees.failures import Failure
@@ -30,7 +31,7 @@ class ApproachHandle(YieldingLeaf):
     """
 
     INPUT_PORTS = ports(handle=HandleTarget, grasp=Grasp)
-    OUTPUT_PORTS = ports()
+    OUTPUT_PORTS = ports(approached=YieldReport)
     CONTRACT = Contract(
         precondition="the open hand is before the handle, at the beginning of the checked approach",
         postcondition="the hand is where the approach ends, or was stopped on the way by a gentle contact",
@@ -71,6 +72,7 @@ class ApproachHandle(YieldingLeaf):
     def finish(self) -> Status | Failure:
         """Tell what was felt."""
         report = self.led.report
+        self._set_output("approached", report)
         self.measured(short_by_m=round(report.s, 4), peak_push_n=round(report.peak_pull_n, 1))
         self.feedback_message = f"{report.s * 1000:.0f} mm short, {report.peak_pull_n:.0f} N"
         return DONE
