@@ -52,8 +52,8 @@ $(VENV)/.dev-stamp: requirements-dev.lock $(VENV)/.run-stamp
 run: $(VENV)/.warm-stamp  ## the main job
 	$(BIN)/executive run "$(SENTENCE)"
 
-test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test
-	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal
+test: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## every test but those of the architecture, which `make check` runs
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal --ignore tests/architecture
 
 test-peers: $(VENV)/.dev-stamp $(VENV)/.warm-stamp  ## tests against other programs: rclpy, an MCP client, a browser
 	-$(BIN)/python -m tools.benchmark.peers $(PEERS)  # one that cannot be installed is named and left out

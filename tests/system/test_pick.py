@@ -43,7 +43,7 @@ def test_an_object_that_is_not_in_the_hand_is_never_claimed(fault):
 
 
 @pytest.mark.requirement("M2")
-@pytest.mark.parametrize("fault", ["moved", "wrong_detection", "knocked", "too_close"])
+@pytest.mark.parametrize("fault", ["wrong_detection", "knocked", "too_close"])
 def test_what_is_not_where_it_was_is_picked_after_another_look_or_given_up_honestly(fault):
     record = run_episode(EpisodeOrder(3, fault=fault))
 
@@ -56,5 +56,5 @@ def test_what_is_not_where_it_was_is_picked_after_another_look_or_given_up_hones
 def test_a_cup_that_is_moved_during_the_reach_is_picked_from_its_new_place():
     records = [run_episode(EpisodeOrder(seed, fault="moved")) for seed in (1, 3)]
 
-    assert all(harmless(record) for record in records)
+    assert all(harmless(record) and not record.false_failure for record in records)
     assert any(r.recoverable and r.fault_fired and r.truth and r.claimed for r in records)
