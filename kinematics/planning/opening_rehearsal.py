@@ -77,7 +77,8 @@ def rehearse(
     tracker = HandTracker(robot, hand, q_grasp, tick_s)
     path = path.through(tracker.tcp_m, s_from)
     space = free_coordinates(robot)
-    scene, times = guarded_scene(scene), np.empty(0)
+    # what a hand pushes is not as far along its path as the hand: the arm keeps from it what planning keeps
+    scene, times = guarded_scene(scene) if holding else scene, np.empty(0)
     rotation, at_z_m = tracker.tcp_rotation.copy(), float(tracker.tcp_m[2])
     axis = path.bar_axis
     own_axis = tracker.tcp_rotation.T @ axis
@@ -87,7 +88,7 @@ def rehearse(
     for _ in range(round(_SETTLE_S / tick_s) if way > 0.0 else 0):
         tracker.tick(HandGoal(start.position_m, rotation, spin, axis, shift), times)
     s, judged_s, steps = s_from, s_from, 0
-    step, every = 0.0, _JUDGED_SHARE * abs(s_to - s_from)
+    step, every = 0.0, _JUDGED_SHARE * (1.0 if holding else 0.5) * abs(s_to - s_from)
     kept: Kept | None = None
     while True:
         if abs(s - judged_s) >= every or s in (s_from, s_to):
