@@ -13,7 +13,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.planning.handle_planner import HandlePlanner
-from kinematics.planning.pushing import assumed_bars, hand_points, outward_of, push_grasps
+from kinematics.planning.pushing import assumed_bars, hand_points, outward_of, push_grasps, shut_at
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.requests.step import NoPlan
 from kinematics.scene.opening_path import DoorArc
@@ -133,3 +133,33 @@ def test_a_push_that_leans_too_far_is_refused_for_that_and_not_for_a_collision(m
     assert isinstance(answer, NoPlan)
     assert "at the handle the robot would lean too far over its feet" in answer.reasons
     assert not any("collision" in reason for reason in answer.reasons)
+
+
+def depth_m(asked, points, opening):
+    """How deep points are beyond the outer face of a front that is so far open, m; of those that are before it."""
+    arc = asked.path
+    pose = arc.part_moved(asked.scene.objects["door"].world_T_object, asked.s_from, opening)
+    local = (points - pose[:3, 3]) @ pose[:3, :3]
+    before = np.abs(local[:, 1]) <= 0.5 * WIDE_M
+    return float((local[before, 0] + 0.5 * THICK_M).max())
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_hand_that_keeps_its_heading_is_led_to_where_the_door_is_shut(side):
+    g1 = RobotModel(load_description("g1"))
+    asked = replace(request(g1, side, 1.0), s_to=-0.1)
+    grasps = list(push_grasps(g1, asked))[:10]
+
+    for grasp in grasps:
+        lead_to = shut_at(g1, asked, grasp)
+        tcp, way = grasp.world_T_tcp, asked.path.through(grasp.world_T_tcp[:3, 3], asked.s_from)
+        hand = hand_points(g1, grasp.hand, g1.q_home) @ tcp[:3, :3].T
+        there, sooner = (hand + way.at(s).position_m for s in (lead_to, lead_to + 0.03))
+        assert depth_m(asked, there, asked.s_to) >= -1e-9
+        assert depth_m(asked, sooner, asked.s_to) < 0.0
+
+
+def test_a_hand_that_turns_as_it_likes_is_led_as_far_as_it_is_asked(model):
+    asked = request(model, 1.0, 1.0)
+
+    assert shut_at(model, asked, next(push_grasps(model, asked))) == asked.s_to
