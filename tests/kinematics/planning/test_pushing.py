@@ -136,7 +136,7 @@ def test_a_push_that_leans_too_far_is_refused_for_that_and_not_for_a_collision(m
 
 
 def depth_m(asked, points, opening):
-    """How deep points are beyond the outer face of a front that is so far open, m; of those that are before it."""
+    """How deep points are beyond the outer face of a front that is so far open, m; of those before it."""
     arc = asked.path
     pose = arc.part_moved(asked.scene.objects["door"].world_T_object, asked.s_from, opening)
     local = (points - pose[:3, 3]) @ pose[:3, :3]
