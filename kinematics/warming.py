@@ -66,6 +66,7 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     from kinematics.motion.curves import PolynomialCurve
     from kinematics.motion.sampler import MotionSample
     from kinematics.standing.free_coordinates import free_coordinates
+    from kinematics.standing.leg_newton import solve_poses
     from kinematics.timing.balanced_timing import time_in_balance
     from kinematics.timing.curve_timing import Pace
 
@@ -80,6 +81,9 @@ def warm(model: RobotModel, tell: Callable[[str], None] = lambda _: None) -> Non
     ends[1, space.index(model.description.groups[f"{hand}_arm"][-1])] += 0.1
     ends[1, :1] += 0.001
     trajectory = time_in_balance(robot, PolynomialCurve(ends), Pace(0.5, 0.5))
+    still, pose = np.zeros((3, 6, 4, 4)), np.eye(4)
+    found = np.empty((1, 6)), np.empty(1, dtype=bool)
+    solve_poses(np.zeros(6), still, np.zeros((6, 3)), pose, np.zeros((1, 3)), np.eye(3)[None], *found)
     rest = np.zeros((1, model.nv))
     compiled_loads(model, MotionSample(model.q_home[None], rest, rest))
     if trajectory is not None:

@@ -150,8 +150,9 @@ def validity(
         return CollisionKernel.mounted(arrays, model, scene, extra_margin_m, self_margin_m)
     try:
         return CollisionKernel.standing(arrays, robot, scene, extra_margin_m, self_margin_m)
-    except ModelError:  # legs without a closed form
-        return SampledValidity(robot, CollisionWorld(model, scene, extra_margin_m, self_margin_m))
+    except ModelError:  # legs without a closed form: nothing is proven along lines, and postures are judged
+        world = CollisionKernel(arrays, scene, None, None, extra_margin_m, self_margin_m)
+        return SampledValidity(robot, world)
 
 
 def _kernel_is_there() -> bool:
@@ -171,10 +172,22 @@ def _hand_arrays(build: RobotBuild, hand: Hand) -> RobotArrays:
     return hand_arrays(build.model, hand)
 
 
-class SampledValidity:
-    """Judges point by point, with Coal."""
+class PostureJudge(Protocol):
+    """Tells what collides at a configuration, shape (nq,)."""
 
-    def __init__(self, robot: StandingRobot, world: CollisionWorld) -> None:
+    def collides(self, q: Array) -> bool:
+        """Whether any pair that may not touch is nearer than its margin."""
+        ...
+
+    def colliding_pair(self, q: Array) -> tuple[str, str] | None:
+        """Names of the first pair that collides, or None."""
+        ...
+
+
+class SampledValidity:
+    """Judges point by point: by the kernel where it is compiled, else with Coal."""
+
+    def __init__(self, robot: StandingRobot, world: PostureJudge) -> None:
         model = robot.model
         self._model, self._world = model, world
         self._space, self._polygon = free_coordinates(robot), robot.polygon

@@ -20,16 +20,6 @@ from kinematics.model.robot_model import RobotModel
 
 Mask = NDArray[np.bool_]
 
-# Solved to this distance (m) and angle (rad); a double leaves some 1e-16.
-SOLVED = 1e-12
-# Of 2,000 poses about a standing one, all that are reached at all were within 10.
-ITERATIONS = 16
-# No joint turns farther in one iteration: a longer step may come down behind a singularity.
-LONGEST_STEP = 0.4
-# Damping, of the squared error: none is left where Newton's method converges.
-DAMPING = 1e-2
-
-
 BENT_RAD = 0.1
 """Knees of what is searched stay so far from being stretched, which shortens a leg by a thousandth: nearer to
 it, the next millimetre is out of reach, and no method that goes by derivatives comes there."""
@@ -81,10 +71,10 @@ class NumericLeg:
         self._turn = np.array([np.array(model.pin.jointPlacements[i].rotation) for i in ids])
         self._offset = np.array([np.array(model.pin.jointPlacements[i].translation) for i in ids])
         self._axis = np.array([_axis(model.pin, i) for i in ids])
-        self._still, self._by_sine, self._by_versine = _hinges(self._turn, self._offset, self._axis)
+        self._hinges = np.stack(_hinges(self._turn, self._offset, self._axis))
         self._foot_T_sole = np.array(sole.placement.homogeneous)
         self._world_T_sole = world_T_sole
-        self._home = model.q_home[self._columns]
+        self._home = np.ascontiguousarray(model.q_home[self._columns])
         self.chain = LegChain(
             tuple(int(i) for i in ids), self._turn, self._offset, self._axis, self._foot_T_sole
         )
@@ -120,38 +110,28 @@ class NumericLeg:
         return reached
 
     def _solve(self, position: Array, rotation: Array) -> tuple[Array, Mask]:
-        """Newton's method from home to many poses of the sole in the base's frame, damped while far away."""
-        joints = np.tile(self._home, (len(position), 1))
-        open_ = np.arange(len(joints))
-        for _ in range(ITERATIONS):
-            error, jacobian = self._errors(joints[open_], position[open_], rotation[open_])
-            size = np.max(np.abs(error), axis=1)
-            going = size > SOLVED
-            open_, error, jacobian, size = open_[going], error[going], jacobian[going], size[going]
-            if not len(open_):
-                break
-            transposed = np.swapaxes(jacobian, 1, 2)
-            damped = jacobian @ transposed + (DAMPING * size**2 + 1e-15)[:, None, None] * np.eye(6)
-            step = (transposed @ np.linalg.solve(damped, error[..., None]))[..., 0]
-            longest = np.max(np.abs(step), axis=1)
-            joints[open_] += step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, 1e-12))[:, None]
-        reached = np.ones(len(joints), dtype=bool)
-        if len(open_):
-            error, _ = self._errors(joints[open_], position[open_], rotation[open_])
-            reached[open_] = np.max(np.abs(error), axis=1) <= SOLVED
-        return joints, reached
+        """From home to many poses of the sole in the base's frame."""
+        # imported here: it brings the compiler
+        from kinematics.standing.leg_newton import solve_poses
 
-    def _errors(self, joints: Array, position: Array, rotation: Array) -> tuple[Array, Array]:
-        """Distance and turn to the wanted pose, shape (n, 6), and the Jacobian, shape (n, 6, 6)."""
-        at, at_R, origins, axes = self._forward(joints)
-        turn = _rotation_vector(rotation @ np.swapaxes(at_R, 1, 2))
-        jacobian = np.concatenate([_crossed(axes, at[:, None] - origins), axes], axis=2)
-        return np.concatenate([position - at, turn], axis=1), np.swapaxes(jacobian, 1, 2)
+        joints, reached = np.empty((len(position), len(self._home))), np.empty(len(position), dtype=bool)
+        solve_poses(
+            self._home,
+            self._hinges,
+            self._axis,
+            self._foot_T_sole,
+            np.ascontiguousarray(position),
+            np.ascontiguousarray(rotation),
+            joints,
+            reached,
+        )
+        return joints, reached
 
     def _forward(self, joints: Array) -> tuple[Array, Array, Array, Array]:
         """Sole position and rotation, joint origins and axes, all in the base's frame."""
         sine, versine = np.sin(joints)[..., None, None], (1.0 - np.cos(joints))[..., None, None]
-        hinges = self._still + sine * self._by_sine + versine * self._by_versine
+        still, by_sine, by_versine = self._hinges
+        hinges = still + sine * by_sine + versine * by_versine
         links = np.empty_like(hinges)
         links[:, 0] = hinges[:, 0]
         for k in range(1, 6):
@@ -186,16 +166,3 @@ def _axis(tree: pin.Model, joint: int) -> Array:
 def _crossed(a: Array, b: Array) -> Array:
     """Cross products along the last axis; numpy's own takes most of the time of a step of few poses."""
     return a[..., _NEXT] * b[..., _AFTER] - a[..., _AFTER] * b[..., _NEXT]
-
-
-def _rotation_vector(rotations: Array) -> Array:
-    """Rotation vectors, shape (n, 3); of half a turn, where the axis is lost, one about x."""
-    m = rotations
-    twice = np.stack([m[:, 2, 1] - m[:, 1, 2], m[:, 0, 2] - m[:, 2, 0], m[:, 1, 0] - m[:, 0, 1]], axis=1)
-    sine = 0.5 * np.sqrt(np.sum(twice * twice, axis=1))
-    cosine = 0.5 * (m[:, 0, 0] + m[:, 1, 1] + m[:, 2, 2] - 1.0)
-    angle = np.arctan2(sine, cosine)
-    # angle / sin(angle), with its limit at zero
-    vector = 0.5 * twice * np.where(sine < 1e-8, 1.0, angle / np.maximum(sine, 1e-8))[:, None]
-    vector[(sine < 1e-8) & (cosine < 0.0)] = (np.pi, 0.0, 0.0)
-    return np.asarray(vector)
