@@ -60,4 +60,4 @@ def released(gripper: GripperDescription, shape: Shape, tcp_T_object: Transform)
         tcp_T_object: Where the hand holds it.
     """
     width_m = min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
-    return poses.translation(gripper.pushed_out_m(width_m), 0.0, 0.0) @ tcp_T_object
+    return poses.translation(*gripper.pushed_m(width_m, float(tcp_T_object[0, 3])), 0.0) @ tcp_T_object

@@ -119,8 +119,9 @@ class GripperDescription:
         beside_palm_m: What a thing is away from that palm when the fingers begin to close.
         held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
             in width; empty of all others.
-        push_table: The same of how far along the fingers a thing goes when they open, m; empty of fingers
-            that leave it where it stands.
+        push_table: The same of where along the fingers a thing is at least once they have opened, m; empty of
+            fingers that leave it where it stands.
+        aside_table: The same of how far along the opening it goes meanwhile, m.
         felt_n: Lift of the hand that says that what it holds stands on something: more than its arm's motors
             show while nothing is there.
         least_felt_m: What is thinner between the pads cannot be told from an empty hand.
@@ -162,6 +163,7 @@ class GripperDescription:
     beside_palm_m: float = 0.0
     held_table: tuple[tuple[float, float], ...] = ()
     push_table: tuple[tuple[float, float], ...] = ()
+    aside_table: tuple[tuple[float, float], ...] = ()
     felt_n: float = 6.0
     least_felt_m: float = 0.02
     fingers_half_width_m: float = 0.05
@@ -213,9 +215,15 @@ class GripperDescription:
         """The same once they have closed; beyond the table as at its nearer end."""
         return _looked_up(self.held_table, width_m)
 
-    def pushed_out_m(self, width_m: float) -> float:
-        """How far along the fingers a thing goes when they open; beyond the table as at its nearer end."""
-        return _looked_up(self.push_table, width_m)
+    def pushed_m(self, width_m: float, from_m: float) -> tuple[float, float]:
+        """How far a thing goes along the fingers and along the opening when they open.
+
+        Args:
+            width_m: Of the thing; beyond the tables as at their nearer ends.
+            from_m: Where along the fingers it is, from the TCP.
+        """
+        ahead_m = max(0.0, _looked_up(self.push_table, width_m) - from_m) if self.push_table else 0.0
+        return ahead_m, _looked_up(self.aside_table, width_m)
 
     @property
     def max_opening_m(self) -> float:

@@ -198,6 +198,7 @@ class GripperTable(StrictTable):
     beside_palm_m: FiniteFloat = 0.0
     held_table: list[Pair] = Field(default_factory=list)
     push_table: list[Pair] = Field(default_factory=list)
+    aside_table: list[Pair] = Field(default_factory=list)
     felt_n: FiniteFloat = 6.0
     least_felt_m: FiniteFloat = 0.02
     fingers_half_width_m: FiniteFloat = 0.05

@@ -101,6 +101,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         beside_palm_m=table.beside_palm_m,
         held_table=tuple((width, mirror * at) for width, at in table.held_table),
         push_table=tuple(table.push_table),
+        aside_table=tuple((width, mirror * along) for width, along in table.aside_table),
         felt_n=table.felt_n,
         least_felt_m=table.least_felt_m,
         fingers_half_width_m=table.fingers_half_width_m,

@@ -58,15 +58,19 @@ def test_a_box_is_brought_over_its_spot_and_straight_down(talos, stance, make, t
 @pytest.mark.requirement("M3")
 def test_what_fingers_push_as_they_open_is_let_go_of_so_far_before_its_spot(talos, stance, make):
     usual = talos.description.grippers
-    pushing = {hand: dataclasses.replace(one, push_table=((0.05, 0.02),)) for hand, one in usual.items()}
+    ends_m = float(TCP_T_BOX[0, 3]) + 0.02
+    pushing = {
+        hand: dataclasses.replace(one, push_table=((0.05, ends_m),), aside_table=((0.05, 0.005),))
+        for hand, one in usual.items()
+    }
     model = RobotModel(dataclasses.replace(talos.description, grippers=pushing))
 
     answer = PlacePlanner(model).plan(request(model, stance, make, 0.85, (0.42, -0.34)))
 
     assert isinstance(answer, PlacePlan)
     hand = model.frame_pose(answer.lower.trajectory.q[-1], model.description.tcp_frames["right"])
-    let_go_at, ahead = (hand @ TCP_T_BOX)[:2, 3], hand[:2, 0]
-    assert let_go_at + 0.02 * ahead == pytest.approx((0.42, -0.34), abs=2e-3)
+    let_go_at, ahead, across = (hand @ TCP_T_BOX)[:2, 3], hand[:2, 0], hand[:2, 1]
+    assert let_go_at + 0.02 * ahead + 0.005 * across == pytest.approx((0.42, -0.34), abs=2e-3)
 
 
 @pytest.mark.requirement("M3")
