@@ -66,7 +66,8 @@ def most_pull_n(robot: StandingRobot, outward: Array, at_z_m: float) -> float:
     """How hard a robot may pull or push at what does not give way, N; without bound for a welded one.
 
     Args:
-        robot: Where it stands; it tips about the edge of its soles, with its CoM shifted away from that.
+        robot: Where it stands; it tips about the edge of its soles. Its CoM counts as shifted away from that,
+            which is done for pulls alone: a push has less to spare than this tells.
         outward: Unit vector of the pull or push, shape (3,).
         at_z_m: Height of the pull in the odometry frame.
     """

@@ -65,9 +65,9 @@ class Pushing:
         past_rad: A door is led so far beyond where it is shut: its frame stops it before, and which part of
             the hand touches it there is not known to some centimetres.
         before_m: It stands so far before the front as it is; None where it stands as to open it.
+        beyond_hinge_m: And so far beyond a door's hinge: an open door looks to that side.
         heading_weight: How much it matters that the hand keeps its heading, nearly square to the front when
             that is shut: one that turns slides along it. None where the hand turns as it likes.
-        beyond_hinge_m: And so far beyond a door's hinge: an open door looks to that side.
     """
 
     places_m: tuple[tuple[float, float], ...] = (
@@ -84,5 +84,5 @@ class Pushing:
     heading_weight: float | None = None
 
 
-PADS_ON_A_BAR, FAR_REACH, FROM_FAR = BarGrip(), HandleStanding(), Pushing()
+PADS_ON_A_BAR, FAR_REACH, AS_IT_OPENS = BarGrip(), HandleStanding(), Pushing()
 """What counts where a robot's data say nothing."""

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Literal
 from kinematics.errors import MissingPartError
 from kinematics.model.camera_description import CameraDescription
 from kinematics.model.handle_settings import (
+    AS_IT_OPENS,
     FAR_REACH,
-    FROM_FAR,
     PADS_ON_A_BAR,
     BarGrip,
     HandleStanding,
@@ -311,7 +311,7 @@ class RobotDescription:
     lean_rad: float = 0.9
     foot_sensors: bool = True
     handles: HandleStanding = FAR_REACH
-    pushing: Pushing = FROM_FAR
+    pushing: Pushing = AS_IT_OPENS
 
     @property
     def actuated(self) -> tuple[str, ...]:

@@ -24,7 +24,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import key_of
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandleRequest
-from kinematics.scene.opening_path import DoorArc
+from kinematics.scene.opening_path import UP, DoorArc
 from kinematics.scene.planning_scene import SceneObject
 
 APPROACH_M = 0.07
@@ -70,7 +70,8 @@ def push_grasps(model: RobotModel, request: HandleRequest) -> Iterator[Grasp]:
                 inwards = around @ -outward
                 at = place + (0.5 * thickness_m + float(np.max(inwards))) * outward
                 if not isinstance(request.path, DoorArc):  # near its edge: what comes first is to be there
-                    at = at - _aside(around[np.argmax(inwards)], outward)
+                    across = request.path.at(request.s_from).across
+                    at = at - around[np.argmax(inwards)] @ across * across
                 yield Grasp(hand, label, poses.transform(rotation, at), APPROACH_M, 0.0)
 
 
@@ -98,21 +99,15 @@ def shut_at(model: RobotModel, request: HandleRequest, grasp: Grasp) -> float:
     return float(openings[shut[0] if len(shut) else -1])
 
 
-def _aside(offset: Array, outward: Array) -> Array:
-    """The level part of an offset that is along a front, shape (3,)."""
-    along = np.array([-outward[1], outward[0], 0.0])
-    return np.asarray(offset @ along * along)
-
-
 def _places(
     model: RobotModel, request: HandleRequest, outward: Array, front: SceneObject, shape: Box
 ) -> Iterator[tuple[str, Array, float]]:
     """Names of places to push at, points of the front's middle plane, and how far a hand is turned there."""
     path, (_, width_m, height_m) = request.path, shape.size_m
     if not isinstance(path, DoorArc):
-        across, middle = request.path.at(request.s_from).across, front.world_T_object[:3, 3]
+        across, middle = path.at(request.s_from).across, front.world_T_object[:3, 3]
         for aside, high in itertools.product(_ASIDE, _HIGH):
-            place = middle + aside * width_m * across + high * height_m * np.array([0.0, 0.0, 1.0])
+            place = middle + aside * width_m * across + high * height_m * UP
             yield f"push at {aside * width_m:+.2f} {place[2]:.2f}", place, 0.0
         return
     pushing = model.description.pushing

@@ -11,8 +11,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, FiniteFloat
 
 from kinematics.model.camera_description import CameraDescription
 from kinematics.model.handle_settings import (
+    AS_IT_OPENS,
     FAR_REACH,
-    FROM_FAR,
     PADS_ON_A_BAR,
     BarGrip,
     HandleStanding,
@@ -254,6 +254,6 @@ class DescriptionDocument(StrictTable):
     friction: FrictionTable = FrictionTable()
     walking: Annotated[tuple[WalkingSettings, WalkingGains], AsTable()] | None = None
     handles: Annotated[HandleStanding, AsTable()] = FAR_REACH
-    pushing: Annotated[Pushing, AsTable()] = FROM_FAR
+    pushing: Annotated[Pushing, AsTable()] = AS_IT_OPENS
     health: Annotated[HealthLimits, AsTable()] = HealthLimits()
     rgbd: list[Annotated[DepthCamera, AsTable()]] = Field(default_factory=list)
