@@ -1,5 +1,7 @@
 """What fingers that close on a palm do to a thing."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -11,6 +13,7 @@ from kinematics.model.palm_grip import held, released
 from robots.models.description import load_description
 
 ON_PALM = load_description("g1").grippers["right"]
+ON_LEFT_PALM = load_description("g1").grippers["left"]
 BETWEEN_PADS = load_description("talos").grippers["right"]
 ANGLE = st.floats(-0.6, 0.6)
 
@@ -42,17 +45,32 @@ def test_fingers_that_meet_between_pads_turn_and_push_nothing():
 
 
 @pytest.mark.parametrize(
-    ("shape", "pushed_m"),
+    ("shape", "from_m", "pushed_m", "aside_m"),
     [
-        (Cylinder(0.01, 0.1), 0.003),
-        (Cylinder(0.032, 0.1), 0.022),
-        (Cylinder(0.05, 0.1), 0.030),
-        (Box((0.09, 0.064, 0.2)), 0.022),
+        (Cylinder(0.01, 0.1), -0.02, 0.02, 0.0),
+        (Cylinder(0.03, 0.1), -0.02, 0.03, -0.003),
+        (Box((0.09, 0.06, 0.2)), 0.004, 0.006, -0.003),
+        (Cylinder(0.05, 0.1), 0.05, 0.0, -0.006),
     ],
+    ids=["narrower than was measured", "between two", "a box by its narrow side", "already farther out"],
 )
-def test_fingers_that_open_push_a_thing_along_themselves_by_its_width(shape, pushed_m):
-    before = poses.transform(poses.rotation_z(0.4), (0.01, 0.02, 0.0))
+def test_what_fingers_let_go_stands_at_least_where_they_leave_things_of_its_width(
+    shape, from_m, pushed_m, aside_m
+):
+    hand = replace(ON_PALM, push_table=((0.04, 0.0), (0.08, 0.02)), aside_table=((0.04, 0.0), (0.08, -0.006)))
+    before = poses.transform(poses.rotation_z(0.4), (from_m, 0.02, 0.0))
 
-    way = released(ON_PALM, shape, before)[:3, 3] - before[:3, 3]
+    way = released(hand, shape, before)[:3, 3] - before[:3, 3]
 
-    assert way == pytest.approx([pushed_m, 0.0, 0.0])
+    assert way == pytest.approx([pushed_m, aside_m, 0.0])
+
+
+def test_a_left_hand_leaves_things_where_the_mirror_shows_the_right_one():
+    before = poses.translation(-0.02, 0.01, 0.0)
+    mirrored = poses.translation(-0.02, -0.01, 0.0)
+
+    right = released(ON_PALM, Cylinder(0.035, 0.1), before)
+    left = released(ON_LEFT_PALM, Cylinder(0.035, 0.1), mirrored)
+
+    assert right[1, 3] != before[1, 3]
+    assert left[:3, 3] == pytest.approx(right[:3, 3] * [1.0, -1.0, 1.0])
