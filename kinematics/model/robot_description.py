@@ -116,7 +116,8 @@ class GripperDescription:
         motors: The motors of a hand that has several.
         palm_side_m: Where along the opening the palm is that the fingers press a thing against; None of
             fingers that centre it between them.
-        beside_palm_m: What a thing is away from that palm when the fingers begin to close.
+        beside_palm_m: What a thing is away from that palm when the fingers begin to close,
+        drawn_in_m: and how far before the TCP its middle is then, along the fingers: they draw it in.
         held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
             in width; empty of all others.
         push_table: The same of where along the fingers a thing is at least once they have opened, m; empty of
@@ -161,6 +162,7 @@ class GripperDescription:
     motors: tuple[HandMotor, ...] = ()
     palm_side_m: float | None = None
     beside_palm_m: float = 0.0
+    drawn_in_m: float = 0.0
     held_table: tuple[tuple[float, float], ...] = ()
     push_table: tuple[tuple[float, float], ...] = ()
     aside_table: tuple[tuple[float, float], ...] = ()

@@ -178,7 +178,7 @@ def grasp_table(
     if gripper.palm_side_m is None:
         return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label)
     beside = np.array([gripper.grasped_at_m(width) for width in widths.tolist()])
-    places[:, :3, 3] -= beside[:, None] * places[:, :3, 1]
+    places[:, :3, 3] -= beside[:, None] * places[:, :3, 1] + gripper.drawn_in_m * places[:, :3, 0]
     held = np.array([gripper.held_at_m(width) for width in widths.tolist()])
     return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label, held)
 

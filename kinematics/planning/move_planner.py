@@ -19,7 +19,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.lead_in import lead_in
-from kinematics.planning.held_lean import MOST_LEAN_RAD, leaned_rad
+from kinematics.planning.held_lean import LITTLE_LEAN_RAD, MOST_LEAN_RAD, leaned_rad, level_way
 from kinematics.planning.path_planner import PathPlanner, PathSettings
 from kinematics.planning.planning_task import REACH_PACE
 from kinematics.requests.move import MovePlan, MoveRequest
@@ -100,6 +100,10 @@ def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: Plannin
         curve = planner.plan(ends.start, ends.goal, moving, np.random.default_rng(request.seed))
         if curve is not None:
             found.append((leaned_rad(model, ends.space, curve, scene), curve))
+            if found[-1][0] > LITTLE_LEAN_RAD:
+                level = level_way(model, ends.space, (ends.start, ends.goal), scene)
+                if level is not None and planner.curve_is_free(level):
+                    return level
             if found[-1][0] <= MOST_LEAN_RAD:
                 break
     return min(found, key=lambda one: one[0])[1] if found else None

@@ -196,6 +196,7 @@ class GripperTable(StrictTable):
     over_ball_m: FiniteFloat = 0.032
     palm_side_m: FiniteFloat | None = None
     beside_palm_m: FiniteFloat = 0.0
+    drawn_in_m: FiniteFloat = 0.0
     held_table: list[Pair] = Field(default_factory=list)
     push_table: list[Pair] = Field(default_factory=list)
     aside_table: list[Pair] = Field(default_factory=list)

@@ -99,6 +99,7 @@ def _gripper(hand: Hand, table: GripperTable, urdf: ElementTree.Element) -> Grip
         motors=motors,
         palm_side_m=None if table.palm_side_m is None else mirror * table.palm_side_m,
         beside_palm_m=table.beside_palm_m,
+        drawn_in_m=table.drawn_in_m,
         held_table=tuple((width, mirror * at) for width, at in table.held_table),
         push_table=tuple(table.push_table),
         aside_table=tuple((width, mirror * along) for width, along in table.aside_table),

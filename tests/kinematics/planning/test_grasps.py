@@ -152,7 +152,7 @@ def test_a_hand_comes_first_as_suits_it_and_level_where_closing_would_turn_the_t
 
 @pytest.mark.parametrize("hand", ["left", "right"])
 @pytest.mark.parametrize("radius", [0.02, 0.03, 0.04])
-def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it(palms, hand, radius):
+def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it_and_before_the_tcp(palms, hand, radius):
     gripper = palms[hand]
     item = SceneObject("bottle", Cylinder(radius, 0.2), poses.translation(0.4, -0.1, 0.8))
 
@@ -160,7 +160,9 @@ def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it(palms, hand, 
 
     assert grasps
     for grasp in grasps:
-        _, y, _ = (poses.inverse(grasp.world_T_tcp) @ item.world_T_object)[:3, 3]
+        x, y, _ = (poses.inverse(grasp.world_T_tcp) @ item.world_T_object)[:3, 3]
+        if abs(grasp.world_T_tcp[2, 0]) < 1e-9:
+            assert x == pytest.approx(gripper.drawn_in_m)
         gap = abs(y - gripper.palm_side_m) - radius
         assert gap == pytest.approx(gripper.beside_palm_m)
         assert grasp.off_centre_m == pytest.approx(gripper.held_at_m(2 * radius))

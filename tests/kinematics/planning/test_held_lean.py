@@ -10,7 +10,7 @@ from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.planning import move_planner
-from kinematics.planning.held_lean import leaned_rad
+from kinematics.planning.held_lean import leaned_rad, level_way
 from kinematics.requests.move import MovePlan, MoveRequest
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -65,3 +65,48 @@ def test_a_way_that_leans_it_is_no_way_where_that_is_asked_for(model, monkeypatc
     )
 
     assert isinstance(move_planner.plan_move(model, request), answer)
+
+
+@pytest.fixture(scope="module")
+def between(model):
+    """Two postures that hold a cup as upright as each other, between which a straight line leans it."""
+    space = free_coordinates(StandingRobot.of(model, stance_at(model, model.q_home)))
+    frame = model.description.tcp_frames["right"]
+    start = space.from_q(model.q_home)
+    far = start.copy()
+    for joint, turn in {"right_shoulder_roll_joint": -0.7, "right_elbow_joint": -0.6, ROLL: 0.5}.items():
+        far[space.index(joint)] += turn
+    scene = holding(model)
+    axis = scene.attached["cup"].frame_T_object[:3, 2]
+    arm = model.description.groups["right_arm"]
+    wrist = [space.index(joint) for joint in arm]
+    for _ in range(30):
+        q = space.to_q(far[None, :])[0][0]
+        up = model.frame_pose(q, frame)[:3, :3] @ axis
+        turns = model.frame_jacobian(q, frame)[3:, 6 + model.indices(arm)]
+        across = turns - np.outer(up, up @ turns)
+        far[wrist] += np.linalg.lstsq(across, np.cross(up, [0.0, 0.0, 1.0]), rcond=1e-3)[0]
+    return space, start, far, scene
+
+
+def test_a_level_way_leans_nothing_where_the_straight_line_does(model, between):
+    space, start, far, scene = between
+    straight = PolynomialCurve(np.array([start, far]))
+
+    way = level_way(model, space, (start, far), scene)
+
+    assert leaned_rad(model, space, straight, scene) > 0.07
+    assert way is not None
+    assert leaned_rad(model, space, way, scene) < 0.02
+    np.testing.assert_allclose(way(np.array([0.0, 1.0])), [start, far], atol=1e-9)
+
+
+def test_what_both_ends_lean_the_way_between_them_leans_no_more(model, between):
+    space, start, far, scene = between
+    leaned = start.copy()
+    leaned[space.index(ROLL)] += 0.3
+
+    way = level_way(model, space, (leaned, far), scene)
+
+    assert way is not None
+    assert leaned_rad(model, space, way, scene) < 0.02
