@@ -7,12 +7,13 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
+from kinematics.planning.path_planner import PathPlanner
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.free_coordinates import FreeCoordinates
 
 MOST_LEAN_RAD = 0.1
 """What carries something open may lean it by so much on a way, beyond what it leans at both ends."""
-LITTLE_LEAN_RAD = 0.03
+_LITTLE_RAD = 0.03
 """By so much it may lean without a look for a way that keeps it level."""
 _ALONG = np.linspace(0.0, 1.0, 17)
 _BETWEEN = (0.25, 0.5, 0.75)
@@ -38,6 +39,23 @@ def leaned_rad(model: RobotModel, space: FreeCoordinates, curve: Curve, scene: P
     vertical = np.array([[frame[2, :3] for frame in model.frame_poses(q, frames)] for q in configurations])
     leans = np.arccos(np.clip(np.sum(vertical * own, axis=2), -1.0, 1.0))
     return float(np.max(leans - np.maximum(leans[0], leans[-1])))
+
+
+def least_leaning(
+    planner: PathPlanner, model: RobotModel, space: FreeCoordinates, curve: Curve, scene: PlanningScene
+) -> tuple[float, Curve]:
+    """A free curve, or where what hands hold leans on it a level one between its ends, if that is free too.
+
+    Returns:
+        How far things lean on what is returned, and the curve.
+    """
+    lean_rad = leaned_rad(model, space, curve, scene)
+    if lean_rad > _LITTLE_RAD:
+        first, last = curve(np.array([0.0, 1.0]))
+        level = level_way(model, space, (first, last), scene)
+        if level is not None and planner.curve_is_free(level):
+            return leaned_rad(model, space, level, scene), level
+    return lean_rad, curve
 
 
 def level_way(

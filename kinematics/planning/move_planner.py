@@ -19,7 +19,7 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import Curve
 from kinematics.motion.lead_in import lead_in
-from kinematics.planning.held_lean import LITTLE_LEAN_RAD, MOST_LEAN_RAD, leaned_rad, level_way
+from kinematics.planning.held_lean import MOST_LEAN_RAD, leaned_rad, least_leaning
 from kinematics.planning.path_planner import PathPlanner, PathSettings
 from kinematics.planning.planning_task import REACH_PACE
 from kinematics.requests.move import MovePlan, MoveRequest
@@ -51,15 +51,17 @@ def plan_move(model: RobotModel, request: MoveRequest) -> MovePlan | NoPlan:
     ends = _Ends(space, start, _goal(robot, start, request))
     scene = relaxed_at(model, request.scene, request.q_start)
     concessions = start_concessions(model, request.scene, scene, request.q_start, "move")
-    curve = _way(robot, request, ends, scene)
-    if curve is None:
+    way = _way(robot, request, ends, scene)
+    if way is None:
         q_goal = space.to_q(ends.goal[None, :])[0][0]
         resting = touching_at_rest(model, scene, request.q_start, q_goal)
         curve = PathPlanner(model, space, validity(robot, resting)).straight(start, ends.goal)
         if curve is None:
             return _no_way(validity(robot, scene), ends)
         concessions += rest_concessions(scene, resting, "move")
-    if request.level and leaned_rad(model, space, curve, scene) > MOST_LEAN_RAD:
+        way = leaned_rad(model, space, curve, scene), curve
+    lean_rad, curve = way
+    if request.level and lean_rad > MOST_LEAN_RAD:
         return NoPlan("what a hand holds would lean on the way", {"what is held leans": 1})
     trajectory = time_in_balance(robot, curve, REACH_PACE)
     if trajectory is None:
@@ -79,10 +81,12 @@ def _goal(robot: StandingRobot, start: Array, request: MoveRequest) -> Array:
     return goal
 
 
-def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: PlanningScene) -> Curve | None:
+def _way(
+    robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: PlanningScene
+) -> tuple[float, Curve] | None:
     """A free curve: with a wide berth of things, else with a reserve against the checker, else without.
 
-    What a hand holds leans little on it, if that costs no more than some of the berth.
+    What a hand holds leans little on it, if that costs no more than some of the berth: how far comes first.
     """
     model, groups = robot.model, robot.model.description.groups
     moving = [
@@ -99,14 +103,10 @@ def _way(robot: StandingRobot, request: MoveRequest, ends: _Ends, scene: Plannin
         planner = PathPlanner(model, ends.space, judge, settings)
         curve = planner.plan(ends.start, ends.goal, moving, np.random.default_rng(request.seed))
         if curve is not None:
-            found.append((leaned_rad(model, ends.space, curve, scene), curve))
-            if found[-1][0] > LITTLE_LEAN_RAD:
-                level = level_way(model, ends.space, (ends.start, ends.goal), scene)
-                if level is not None and planner.curve_is_free(level):
-                    return level
+            found.append(least_leaning(planner, model, ends.space, curve, scene))
             if found[-1][0] <= MOST_LEAN_RAD:
                 break
-    return min(found, key=lambda one: one[0])[1] if found else None
+    return min(found, key=lambda one: one[0], default=None)
 
 
 def _no_way(judge: Validity, ends: _Ends) -> NoPlan:

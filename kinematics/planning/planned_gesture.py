@@ -11,7 +11,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, RoundedPolyline
 from kinematics.planning.gesture_task import GestureTask, Wish
-from kinematics.planning.held_lean import LITTLE_LEAN_RAD, MOST_LEAN_RAD, leaned_rad, level_way
+from kinematics.planning.held_lean import MOST_LEAN_RAD, least_leaning
 from kinematics.planning.planning_task import PlanningTask
 from kinematics.requests.gesture import GestureRequest
 from kinematics.requests.move import MovePlan
@@ -51,12 +51,7 @@ class PlannedGesture(GestureTask):
             if curve is None:
                 reasons["no path"] += 1
                 continue
-            lean_rad = leaned_rad(self._model, task.space, curve, task.scene)
-            if lean_rad > LITTLE_LEAN_RAD:
-                level = level_way(self._model, task.space, (task.x_start, x_goal), task.scene)
-                if level is not None and task.planner.curve_is_free(level):
-                    return self._timed(name, level, GESTURE_PACE)
-            ways.append((lean_rad, curve))
+            ways.append(least_leaning(task.planner, self._model, task.space, curve, task.scene))
             if ways[-1][0] <= MOST_LEAN_RAD or len(ways) >= _MOST_WAYS:
                 break
         if not ways:

@@ -1,5 +1,7 @@
 """A way between two upright postures may lean what a hand holds, and is not taken where that is asked for."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -9,8 +11,8 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.model.stance import stance_at
 from kinematics.model.standing_robot import StandingRobot
 from kinematics.motion.curves import PolynomialCurve
-from kinematics.planning import move_planner
-from kinematics.planning.held_lean import leaned_rad, level_way
+from kinematics.planning import held_lean, move_planner
+from kinematics.planning.held_lean import leaned_rad, least_leaning, level_way
 from kinematics.requests.move import MovePlan, MoveRequest
 from kinematics.requests.step import NoPlan
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -58,7 +60,7 @@ def test_empty_hands_lean_nothing(model):
 
 @pytest.mark.parametrize(("level", "answer"), [(True, NoPlan), (False, MovePlan)])
 def test_a_way_that_leans_it_is_no_way_where_that_is_asked_for(model, monkeypatch, level, answer):
-    monkeypatch.setattr(move_planner, "leaned_rad", lambda *_: 0.4)
+    monkeypatch.setattr(held_lean, "leaned_rad", lambda *_: 0.4)
     stance = stance_at(model, model.q_home)
     request = MoveRequest(
         model.q_home, stance, holding(model), {"waist_yaw_joint": 0.2}, keep_others=True, level=level
@@ -110,3 +112,15 @@ def test_what_both_ends_lean_the_way_between_them_leans_no_more(model, between):
 
     assert way is not None
     assert leaned_rad(model, space, way, scene) < 0.02
+
+
+@pytest.mark.parametrize("free", [True, False])
+def test_the_level_way_is_taken_where_it_is_free(model, between, free):
+    space, start, far, scene = between
+    straight = PolynomialCurve(np.array([start, far]))
+    planner = SimpleNamespace(curve_is_free=lambda _: free)
+
+    lean_rad, way = least_leaning(planner, model, space, straight, scene)
+
+    assert (way is not straight) == free
+    assert lean_rad == leaned_rad(model, space, way, scene)
