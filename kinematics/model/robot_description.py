@@ -116,8 +116,7 @@ class GripperDescription:
         motors: The motors of a hand that has several.
         palm_side_m: Where along the opening the palm is that the fingers press a thing against; None of
             fingers that centre it between them.
-        beside_palm_m: What a thing is away from that palm when the fingers begin to close,
-        drawn_in_m: and how far before the TCP its middle is then, along the fingers: they draw it in.
+        beside_palm_m: What a thing is away from that palm when the fingers begin to close.
         held_table: Pairs (width m, where along the opening its middle is once held m) of such a hand, rising
             in width; empty of all others.
         push_table: The same of where along the fingers a thing is at least once they have opened, m; empty of
@@ -129,6 +128,9 @@ class GripperDescription:
         fingers_half_width_m: From the middle of the fingers of one side to their edge, across the approach.
         side_overlap_m: From the side, the TCP is at least so far below the top of what it grasps: all
             fingers are to meet it.
+        above_middle: From the side, the TCP is usually so far above the middle of what it grasps, as a share
+            of its height: the hand keeps off what it stands on, and it hangs stably,
+        side_gap_m: but no nearer to its foot than this, where its height allows that.
         steepest_rad: No grasp is tilted down by more than this.
         around_m: What is deeper along the fingers they do not close around; infinite for pads.
         bar: How it takes hold of a bar.
@@ -162,7 +164,6 @@ class GripperDescription:
     motors: tuple[HandMotor, ...] = ()
     palm_side_m: float | None = None
     beside_palm_m: float = 0.0
-    drawn_in_m: float = 0.0
     held_table: tuple[tuple[float, float], ...] = ()
     push_table: tuple[tuple[float, float], ...] = ()
     aside_table: tuple[tuple[float, float], ...] = ()
@@ -170,6 +171,8 @@ class GripperDescription:
     least_felt_m: float = 0.02
     fingers_half_width_m: float = 0.05
     side_overlap_m: float = -math.inf
+    above_middle: float = 0.12
+    side_gap_m: float = 0.0
     steepest_rad: float = math.pi / 2
     around_m: float = math.inf
     bar: BarGrip = PADS_ON_A_BAR

@@ -34,7 +34,7 @@ _ROUNDING_RAD = 1e-6
 OPENING_RESERVE_M = 0.006
 # One of the other grasps of something low reaches less deep by this.
 SHALLOWER_M = 0.006
-# Grasped above the middle: keeps the hand off the support, and the object hangs stably.
+# Grasped where the hand usually does, by its data: a share of the height that none has by itself.
 ABOVE_MIDDLE = 0.12
 # Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
 NEAR_TOP = 0.4
@@ -178,7 +178,7 @@ def grasp_table(
     if gripper.palm_side_m is None:
         return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label)
     beside = np.array([gripper.grasped_at_m(width) for width in widths.tolist()])
-    places[:, :3, 3] -= beside[:, None] * places[:, :3, 1] + gripper.drawn_in_m * places[:, :3, 0]
+    places[:, :3, 3] -= beside[:, None] * places[:, :3, 1]
     held = np.array([gripper.held_at_m(width) for width in widths.tolist()])
     return GraspTable(gripper.hand, approach_m, places, widths, cost[order], label, held)
 
@@ -324,10 +324,11 @@ def _reach_in(
 ) -> float | None:
     """Height of the TCP above the object's middle; None where the palm keeps the pads off it.
 
-    From the side at the wanted share ``at`` of the height; from above as deep as palm and overlap
-    want, measured along the approach; in between the blend by the tilt's sine.
+    From the side at the wanted share ``at`` of the height, or where the hand usually does; from above as deep
+    as palm and overlap want, measured along the approach; in between the blend by the tilt's sine.
     """
-    side = min(at * height, 0.5 * height - gripper.side_overlap_m)
+    usual = max(gripper.above_middle * height, gripper.side_gap_m - 0.5 * height)
+    side = min(usual if at == ABOVE_MIDDLE else at * height, 0.5 * height - gripper.side_overlap_m)
     deepest = gripper.palm_distance_m - gripper.palm_gap_m
     least = gripper.pad_overlap_m
     overlap = max(least, min(0.45 * height, height - gripper.tip_gap_m))

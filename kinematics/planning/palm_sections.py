@@ -55,8 +55,7 @@ def with_one_width(
         moved = place.copy()
         # from where the outline's middle was to be, to where this one's is to be
         aside = 0.5 * (low + high) - gripper.grasped_at_m(width)
-        ahead = 0.5 * (x[between].min() + x[between].max()) - gripper.drawn_in_m
-        moved[:3, 3] += aside * place[:3, 1] + ahead * place[:3, 0]
+        moved[:3, 3] += aside * place[:3, 1] + 0.5 * (x[between].min() + x[between].max()) * place[:3, 0]
         rows.append(row)
         places.append(moved)
         widths.append(width)

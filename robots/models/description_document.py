@@ -196,7 +196,6 @@ class GripperTable(StrictTable):
     over_ball_m: FiniteFloat = 0.032
     palm_side_m: FiniteFloat | None = None
     beside_palm_m: FiniteFloat = 0.0
-    drawn_in_m: FiniteFloat = 0.0
     held_table: list[Pair] = Field(default_factory=list)
     push_table: list[Pair] = Field(default_factory=list)
     aside_table: list[Pair] = Field(default_factory=list)
@@ -204,6 +203,8 @@ class GripperTable(StrictTable):
     least_felt_m: FiniteFloat = 0.02
     fingers_half_width_m: FiniteFloat = 0.05
     side_overlap_m: FiniteFloat | None = None
+    above_middle: FiniteFloat = 0.12
+    side_gap_m: FiniteFloat = 0.0
     steepest_rad: FiniteFloat = math.pi / 2
     around_m: FiniteFloat | None = None
     bar: Annotated[BarGrip, AsTable()] = PADS_ON_A_BAR

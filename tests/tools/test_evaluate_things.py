@@ -17,9 +17,12 @@ from tools.evaluate.orders import EpisodeOrder
 from tools.evaluate.records import broken_episode
 from tools.evaluate.report import save_scenes
 from tools.evaluate.skills.episode import trial_of
+from tools.evaluate.skills.putting_in import container_of
 from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.upon.putting_things import is_open_at_the_top
 from tools.evaluate.upon.takeable import Hands, bolted_before, hands_of, why_not_asked_for
 from tools.evaluate.upon.things import _radius_m
+from trees.tasks import PlaceTask, PutInTask
 
 SEEDS = range(12)
 
@@ -180,6 +183,47 @@ def test_a_scene_that_has_nothing_for_a_hand_is_refused_before_any_episode(pool,
     assert main(["in_place", "--scene", str(plates), "--episodes", "1"]) == 2
 
     assert "dinner plate: no hand can take it even where nothing else is" in capsys.readouterr().err
+
+
+def with_bowl(pool, radius_m, name):
+    """The pool with a bowl in it, open at the top."""
+    folder = pool.parent
+    file = foreign.written(foreign.bowl(radius_m, 0.08), folder, f"{name}.obj")
+    import_object(file)
+    scene = folder / f"{name}.toml"
+    bowl = f'[[object]]\nmesh = "{file.name}"\nlabel = "salad bowl"\non = "table"\nposition_m = [-1.4, 0.0]'
+    scene.write_text(f"{pool.read_text()}\n{bowl}")
+    return scene
+
+
+def test_things_are_put_on_the_table_or_into_what_is_open_and_may_be_held_before(pool):
+    trials = [trial_of("put_things", seed, str(pool)) for seed in SEEDS]
+
+    tasks = [trial.tasks[-1] for trial in trials]
+    assert {type(task) for task in tasks} == {PlaceTask, PutInTask}
+    assert {len(trial.first) for trial in trials} == {0, 1}
+    for trial, task in zip(trials, tasks, strict=True):
+        assert task.object.name == trial.aim != "dinner plate"
+        if isinstance(task, PutInTask):
+            assert trial.sentence == f"put the {trial.aim} into the {container_of(trial).name}"
+            assert container_of(trial).wall_m is not None
+
+
+def test_a_scene_s_own_thing_that_is_open_at_the_top_is_put_into_as_often(pool):
+    scene = with_bowl(pool, 0.11, "large")
+    bowl = next(one for one in load_scene(str(scene)).objects if one.name == "salad bowl")
+    trials = [trial_of("put_things", seed, str(scene)) for seed in SEEDS]
+
+    assert is_open_at_the_top(bowl)
+    into = {container_of(one).name for one in trials if isinstance(one.tasks[-1], PutInTask)}
+    assert "salad bowl" in into
+    assert len(into) > 1
+
+
+def test_what_is_solid_flat_or_narrow_is_not_open_at_the_top(pool):
+    narrow = with_bowl(pool, 0.05, "narrow")
+
+    assert not any(is_open_at_the_top(one) for one in load_scene(str(narrow)).objects)
 
 
 def test_without_a_scene_it_is_refused_with_what_to_say(capsys):

@@ -152,7 +152,7 @@ def test_a_hand_comes_first_as_suits_it_and_level_where_closing_would_turn_the_t
 
 @pytest.mark.parametrize("hand", ["left", "right"])
 @pytest.mark.parametrize("radius", [0.02, 0.03, 0.04])
-def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it_and_before_the_tcp(palms, hand, radius):
+def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it(palms, hand, radius):
     gripper = palms[hand]
     item = SceneObject("bottle", Cylinder(radius, 0.2), poses.translation(0.4, -0.1, 0.8))
 
@@ -160,14 +160,28 @@ def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it_and_before_th
 
     assert grasps
     for grasp in grasps:
-        x, y, _ = (poses.inverse(grasp.world_T_tcp) @ item.world_T_object)[:3, 3]
-        if abs(grasp.world_T_tcp[2, 0]) < 1e-9:
-            assert x == pytest.approx(gripper.drawn_in_m)
+        _, y, _ = (poses.inverse(grasp.world_T_tcp) @ item.world_T_object)[:3, 3]
         gap = abs(y - gripper.palm_side_m) - radius
         assert gap == pytest.approx(gripper.beside_palm_m)
         assert grasp.off_centre_m == pytest.approx(gripper.held_at_m(2 * radius))
         # the palm is to the left of a left hand, and the thing on its other side
         assert np.sign(y - gripper.palm_side_m) == (-1.0 if hand == "left" else 1.0)
+
+
+@pytest.mark.parametrize(
+    ("robot", "height_m", "above_m"),
+    [("talos", 0.2, 0.024), ("g1", 0.2, 0.0), ("g1", 0.096, 0.004), ("g1", 0.08, 0.007)],
+    ids=["a share above", "at the middle", "off what it stands on", "all fingers meet it"],
+)
+def test_from_the_side_a_hand_takes_hold_where_it_usually_does(robot, height_m, above_m):
+    gripper = load_description(robot).grippers["right"]
+    item = SceneObject("can", Cylinder(0.03, height_m), poses.translation(0.4, -0.1, 0.8))
+
+    grasps = [c.grasp for c in grasp_candidates(item, gripper, 0.0, 0.1)]
+
+    level = [grasp.world_T_tcp[2, 3] - 0.8 for grasp in grasps if abs(grasp.world_T_tcp[2, 0]) < 1e-6]
+    assert level
+    assert level == pytest.approx([above_m] * len(level))
 
 
 def test_fingers_that_wrap_around_are_not_led_in_from_above(palms):

@@ -31,7 +31,7 @@ class PutInJudge:
 
     def __init__(self, assembly: Assembly, trial: Trial, _rng: np.random.Generator) -> None:
         self._truth, self._trial = assembly.world.truth, trial
-        self._container = next(item for item in trial.scene.objects if item.wall_m is not None)
+        self._container = container_of(trial)
         grippers = assembly.model.description.grippers.values()
         self._fingers = {link for gripper in grippers for link in gripper.links}
         self._stood = self._truth.world_T_object(self._container.name)
@@ -66,6 +66,17 @@ class PutInJudge:
         }
         wrong = [words for words, so in faults.items() if so]
         return Verdict(not wrong, {"pushed_m": pushed_m}, "; ".join(wrong))
+
+
+def container_of(trial: Trial) -> SceneItem:
+    """What something is put into."""
+    task = trial.tasks[-1]
+    assert isinstance(task, PutInTask)
+    assert isinstance(task.to, ObjectDescription)
+    to = task.to
+    if to.name is not None:
+        return next(item for item in trial.scene.objects if item.name == to.name)
+    return next(item for item in trial.scene.objects if (item.kind, item.color) == (to.kind, to.color))
 
 
 def put_in_trial(rng: np.random.Generator, where: rooms.Workspace = rooms.STANDING) -> Trial:

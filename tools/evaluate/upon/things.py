@@ -72,29 +72,54 @@ def things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     Raises:
         ValueError: The robot's hands can take none of them.
     """
-    pool = load_scene(scene)
-    hands = hands_of(robot)
-    where = _workspace_of(hands.model)
+    where = workspace_of(hands_of(robot).model)
     table = rooms.table(rng, where)
-    objects: list[SceneItem] = []
     wanted = int(rng.integers(_COUNT[0], _COUNT[1] + 1))
+    objects = drawn(rng, scene, robot, table, [], wanted)
+    aim = objects[0].name
+    said = f"pick up the {aim}"
+    task = PickTask(said, ObjectDescription(name=aim))
+    return Trial(rooms.room("things", rng, [table], objects), (task,), aim, sentence=said)
+
+
+def drawn(
+    rng: np.random.Generator,
+    scene: str,
+    robot: str,
+    table: Furniture,
+    there: Sequence[SceneItem],
+    wanted: int,
+) -> list[SceneItem]:
+    """Some of a scene's things somewhere on a table; a hand can take the first of them.
+
+    Args:
+        rng: Draws them.
+        scene: Name or file of the scene that has them.
+        robot: Whose hands are to take the first.
+        table: Where they are put.
+        there: What stands on it already.
+        wanted: How many, where there is room.
+
+    Raises:
+        ValueError: The robot's hands can take none of them, or there is no room for one.
+    """
+    pool, hands = load_scene(scene), hands_of(robot)
+    where = workspace_of(hands.model)
+    objects: list[SceneItem] = []
     for index in rng.permutation(len(pool.objects)):
         item = pool.objects[int(index)]
         if (
-            named_alone(item, objects)
+            named_alone(item, [*there, *objects])
             and _radius_m(item) < _LARGEST_M
             and (objects or hands.take_alone(item))
         ):
-            placed = _placed(rng, item, table, objects, where)
+            placed = _placed(rng, item, table, [*there, *objects], where)
             objects += [] if placed is None else [placed]
         if len(objects) == wanted:
             break
     if not objects:
         raise ValueError(f"{scene}: the hands of {robot} can take nothing of what is in it")
-    aim = objects[0].name
-    said = f"pick up the {aim}"
-    task = PickTask(said, ObjectDescription(name=aim))
-    return Trial(rooms.room("things", rng, [table], objects), (task,), aim, sentence=said)
+    return objects
 
 
 def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
@@ -116,7 +141,8 @@ def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     return Trial(replace(there, robot_start=began), (task,), aim, sentence=said)
 
 
-def _workspace_of(model: RobotModel) -> rooms.Workspace:
+def workspace_of(model: RobotModel) -> rooms.Workspace:
+    """Tables that suit a robot."""
     if model.description.welded:
         return rooms.BENCH
     return rooms.LOW if model.q_home[2] < _SMALL_M else rooms.STANDING
