@@ -39,8 +39,8 @@ _BETWEEN = 500
 _THINNEST_M, _WALL_M, _BESIDE_M = 0.002, 0.02, 0.006
 """What is thinner than the first is nothing; than the second a wall, whose sides face each other where their
 places are no farther beside each other than the third."""
-_LINES = 70
-_TURNS = 16
+_ENOUGH = 60
+"""Grasps; where fewer are found of a thing, it is looked at more densely."""
 _OVERLAP_M, _OVERLAP_SHARE = 0.013, 0.45
 """How much farther than the middle of the pads the thing is towards their tips, at most, and in shares of
 half of a pad."""
@@ -52,7 +52,7 @@ _TOUCH_M = 0.003
 _FACING_M = 0.018
 """So far apart along the pads may be what the two sides press on."""
 _LEAST_PATCH = 2
-_ALIKE_M, _ALIKE_COSINE = 0.012, math.cos(math.radians(20.0))
+_ALIKE_COSINE = math.cos(math.radians(20.0))
 _UP_COSINE = math.cos(math.radians(95.0))
 """An approach may come from a little below the level, not from farther below."""
 _MOST = 400
@@ -112,11 +112,21 @@ def _lately(_model: RobotModel) -> Recent[tuple[ConvexParts, Hand, tuple[float, 
 
 
 def _found(parts: ConvexParts, model: RobotModel, hand: Hand, up: tuple[float, float, float]) -> ShapeGrasps:
+    found = _looked_at(parts, model, hand, up, _USUAL)
+    if len(found.cost) >= _ENOUGH:
+        return found
+    densely = _looked_at(parts, model, hand, up, _DENSE)
+    return densely if len(densely.cost) > len(found.cost) else found
+
+
+def _looked_at(
+    parts: ConvexParts, model: RobotModel, hand: Hand, up: tuple[float, float, float], density: _Density
+) -> ShapeGrasps:
     gripper = model.description.grippers[hand]
     widest = gripper.max_opening_m - 2.0 * SPARE_OPENING_M
-    lines, narrowest = _lines_across(parts, gripper.least_felt_m, widest)
+    lines, narrowest = _lines_across(parts, gripper.least_felt_m, widest, density)
     middle = parts.surface.mean(axis=0)
-    poses, slants = _turned(lines, np.array(up))
+    poses, slants = _turned(lines, np.array(up), density.turns)
     off_support = _off_support(poses, gripper, np.array(up), float((parts.corners @ np.array(up)).min()))
     poses, slants = poses[off_support], slants[off_support]
     points = np.concatenate([parts.surface[:900], parts.corners])
@@ -168,6 +178,17 @@ def facing_sides(start: Array, outwards: Array, points: Array, normals: Array) -
     return apart, worst
 
 
+class _Density(NamedTuple):
+    """How densely a thing is looked at: lines across, how near alike ones may be, m, and turns about each."""
+
+    lines: int
+    alike_m: float
+    turns: int
+
+
+_USUAL, _DENSE = _Density(70, 0.012, 16), _Density(300, 0.006, 32)
+
+
 class _Lines(NamedTuple):
     """Lines across a thing: the middle between the two sides, unit direction, and how aslant these are."""
 
@@ -176,7 +197,7 @@ class _Lines(NamedTuple):
     slant: Array
 
 
-def _lines_across(parts: ConvexParts, least: float, widest: float) -> tuple[_Lines, float]:
+def _lines_across(parts: ConvexParts, least: float, widest: float, density: _Density) -> tuple[_Lines, float]:
     """Lines between two sides that face each other, no two alike, and the least distance of such sides."""
     points, normals = parts.surface, parts.normals
     across, worst = facing_sides(points[:_BETWEEN], normals[:_BETWEEN], points, normals)
@@ -192,29 +213,29 @@ def _lines_across(parts: ConvexParts, least: float, widest: float) -> tuple[_Lin
     slant = np.arccos(np.clip(worst[order, best[order]], -1.0, 1.0))
     chosen: list[int] = []
     for k in range(len(order)):
-        near = np.linalg.norm(middle[chosen] - middle[k], axis=1) < _ALIKE_M
+        near = np.linalg.norm(middle[chosen] - middle[k], axis=1) < density.alike_m
         if not np.any(near & (np.abs(across[chosen] @ across[k]) > _ALIKE_COSINE)):
             chosen.append(k)
-            if len(chosen) == _LINES:
+            if len(chosen) == density.lines:
                 break
     return _Lines(middle[chosen], across[chosen], slant[chosen]), narrowest
 
 
-def _turned(lines: _Lines, up: Array) -> tuple[Array, Array]:
+def _turned(lines: _Lines, up: Array, turns: int) -> tuple[Array, Array]:
     """The hand at each line, turned about it, and not from below; poses, and the slant of their line."""
     y = lines.across
     first = np.cross(y, np.where(np.abs(y @ up)[:, None] < 0.9, up, np.roll(np.eye(3)[0], 1)))
     first /= np.linalg.norm(first, axis=1)[:, None] + 1e-12
     second = np.cross(y, first)
-    angles = 2.0 * math.pi * np.arange(_TURNS) / _TURNS
+    angles = 2.0 * math.pi * np.arange(turns) / turns
     x = np.cos(angles)[:, None, None] * first + np.sin(angles)[:, None, None] * second
     x = x.transpose(1, 0, 2).reshape(-1, 3)
-    y = np.repeat(y, _TURNS, axis=0)
+    y = np.repeat(y, turns, axis=0)
     poses = np.zeros((len(x), 4, 4))
     poses[:, :3, 0], poses[:, :3, 1], poses[:, :3, 2] = x, y, np.cross(x, y)
-    poses[:, :3, 3], poses[:, 3, 3] = np.repeat(lines.middle, _TURNS, axis=0), 1.0
+    poses[:, :3, 3], poses[:, 3, 3] = np.repeat(lines.middle, turns, axis=0), 1.0
     downwards = x @ up <= -_UP_COSINE
-    return poses[downwards], np.repeat(lines.slant, _TURNS)[downwards]
+    return poses[downwards], np.repeat(lines.slant, turns)[downwards]
 
 
 def _off_support(poses: Array, gripper: GripperDescription, up: Array, level: float) -> Flags:

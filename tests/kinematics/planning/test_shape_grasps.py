@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -5,6 +7,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.model.robot_model import RobotModel
+from kinematics.planning import shape_grasps as module
 from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reason
 from kinematics.planning.shape_grasps import shape_grasps
 from kinematics.scene.planning_scene import SceneObject
@@ -157,3 +160,21 @@ def test_two_slim_fingers_take_a_wide_mug_by_its_wall_or_handle_and_thick_ones_d
     assert slim.opening_m.max() < 0.03
     assert holds(parts, slim.object_T_tcp[0], 0.08, (0.009, 0.011))
     assert not len(thick.cost)
+
+
+def test_what_hardly_any_grasp_is_found_of_is_looked_at_more_densely(talos, monkeypatch):
+    mug, pose = thing(foreign.mug(radius_m=0.0395), "wide mug").parts, np.eye(4)
+    densely = shape_grasps(mug, talos, "left", pose)
+    monkeypatch.setattr(module, "_DENSE", module._USUAL)
+
+    usually = shape_grasps(replace(mug, key="wide mug again"), talos, "left", pose)
+
+    assert 0 < 1.5 * len(usually.cost) < len(densely.cost)
+
+
+def test_what_many_are_found_of_is_not(talos, monkeypatch):
+    monkeypatch.setattr(module, "_DENSE", None)
+
+    found = shape_grasps(thing(foreign.mug(radius_m=0.034), "mug").parts, talos, "left", np.eye(4))
+
+    assert len(found.cost) >= module._ENOUGH
