@@ -77,10 +77,10 @@ def called_by(said: str | None, label: Label) -> CalledBy | None:
 
 
 def is_of_color(color: str | None, said: str | None, label: Label) -> bool:
-    """Whether a thing is of a colour that somebody says: the one that is seen.
+    """Whether a thing is of a colour that somebody says: the one that is seen, or that it is named by.
 
-    Where none could be told, as of a thing of several colours, what its own name says counts: a "black bowl"
-    is the "akita black bowl".
+    A "black book" is what bears that name, whatever it looks like. Where no colour could be told, as of a thing
+    of several, the end of its name counts as well: a "black bowl" is the "akita black bowl".
 
     Args:
         color: None means any.
@@ -89,9 +89,10 @@ def is_of_color(color: str | None, said: str | None, label: Label) -> bool:
     """
     if color in (None, label.color):
         return True
-    if label.color is not None or said is None:
+    if said is None:
         return False
-    return called_by(f"{color} {said}", label) in (CalledBy.NAME, CalledBy.KIND)
+    by = called_by(f"{color} {said}", label)
+    return by is CalledBy.NAME or (by is CalledBy.KIND and label.color is None)
 
 
 def can_be_told(said: str, labels: Collection[str]) -> bool:

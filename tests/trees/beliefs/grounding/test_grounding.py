@@ -1,6 +1,7 @@
 """Which thing is meant: every slot of a description, each way of being unclear, and nothing left out."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, exactly, ground
 from trees.beliefs.scene.believed_thing import surroundings
@@ -197,6 +199,16 @@ def test_a_name_of_the_scene_means_that_very_thing():
 
 def test_a_named_thing_that_was_renamed_is_the_only_one_alike():
     assert found(exactly("red cup 3"), TWIN, BLUE) == "red cup 2"
+
+
+def test_what_is_named_by_another_colour_than_it_shows_is_meant_by_its_name():
+    white = Label("book", "white", ("black book",))
+    book = replace(thing("black book", 0.7, 0.2), label=white)
+
+    assert found(exactly("black book"), book, RED) == "black book"
+    assert found(ObjectDescription("book", "black"), book, RED) == "black book"
+    assert found(ObjectDescription("book", "white"), book, RED) == "black book"
+    assert missing(ObjectDescription("book", "red"), book, RED) == "no red book seen"
 
 
 def test_a_named_thing_whose_colour_was_not_told_may_show_it_now():
