@@ -79,8 +79,8 @@ def called_by(said: str | None, label: Label) -> CalledBy | None:
 def is_of_color(color: str | None, said: str | None, label: Label) -> bool:
     """Whether a thing is of a colour that somebody says: the one that is seen, or that it is named by.
 
-    A "black book" is what bears that name, whatever it looks like. Where no colour could be told, as of a thing
-    of several, the end of its name counts as well: a "black bowl" is the "akita black bowl".
+    A "black book" is what bears that name, whatever it looks like. Where no colour could be told, as of a
+    thing of several, the end of its name counts as well: a "black bowl" is the "akita black bowl".
 
     Args:
         color: None means any.
