@@ -16,6 +16,7 @@ from kinematics.planning.grasps import (
     OTHER_HEIGHTS,
     GraspTable,
     grasp_table,
+    least_width_m,
     widest_between_pads_m,
 )
 from kinematics.planning.palm_sections import with_one_width
@@ -44,10 +45,10 @@ def any_grasp_table(
 ) -> GraspTable:
     """Candidates for one hand of a robot, most natural first; other arguments as of ``grasp_table``."""
     gripper, parts = model.description.grippers[hand], item.shape.parts
-    if parts is None or not needs_shape_grasps(parts):
-        return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
-    if gripper.palm_side_m is not None:
+    if parts is None or gripper.palm_side_m is not None or not _by_surface(item, gripper):
         table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+        if parts is None or not needs_shape_grasps(parts):
+            return table
         return with_one_width(table, parts, gripper, item.world_T_object)
     found = shape_grasps(parts, model, hand, item.world_T_object)
     places = item.world_T_object @ found.object_T_tcp
@@ -77,6 +78,14 @@ def any_grasp_table(
         ),
         off_centre_m=np.concatenate([found.off_centre_m, -found.off_centre_m])[order],
     )
+
+
+def _by_surface(item: SceneObject, gripper: GripperDescription) -> bool:
+    """Whether a thing of parts is unlike its outline, or this is too wide for the pads: it may have a wall."""
+    parts = item.shape.parts
+    if parts is None or not len(parts.surface):
+        return False
+    return needs_shape_grasps(parts) or least_width_m(item) > widest_between_pads_m(gripper)
 
 
 def _unnatural(places: Array, natural_yaw_rad: float, outward: float) -> Array:

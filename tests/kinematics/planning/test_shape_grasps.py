@@ -178,3 +178,14 @@ def test_what_many_are_found_of_is_not(talos, monkeypatch):
     found = shape_grasps(thing(foreign.mug(radius_m=0.034), "mug").parts, talos, "left", np.eye(4))
 
     assert len(found.cost) >= module._ENOUGH
+
+
+def test_what_is_too_wide_by_its_outline_is_taken_by_its_wall():
+    panda = RobotModel(load_description("panda"))
+    solid = thing(foreign.bowl(0.05, 0.05, 0.005), "ramekin")
+    fits = replace(solid, parts=replace(solid.parts, outline_error_m=0.005))
+
+    table = any_grasp_table(SceneObject("ramekin", fits, np.eye(4)), panda, "right", 0.0, 0.1, (0.12,), 0.0)
+
+    assert len(table)
+    assert table.diameter_m.max() < 0.02
