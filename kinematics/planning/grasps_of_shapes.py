@@ -81,7 +81,7 @@ def any_grasp_table(
 
 
 def _by_surface(item: SceneObject, gripper: GripperDescription) -> bool:
-    """Whether a thing of parts is unlike its outline, or this is too wide for the pads: it may have a wall."""
+    """Whether a thing of parts is unlike its outline, or this too wide for the pads: it may have walls."""
     parts = item.shape.parts
     if parts is None or not len(parts.surface):
         return False
