@@ -130,9 +130,12 @@ def distance_to_shape(shape: Shape, points: Array) -> Array:
 def _hull(
     name: str, body: int, body_T_solid: Transform, geometry: Any, kinematics: BatchedKinematics
 ) -> Solid:
+    # imported here: it brings the compiler
+    from kinematics.distance.enclosing_ball import ball_centre
+
     points = np.ascontiguousarray(geometry.points())
     in_body = points @ body_T_solid[:3, :3].T + body_T_solid[:3, 3]
-    centre = _ball_centre(in_body)
+    centre = ball_centre(in_body)
     axis = np.zeros(3) if body == WORLD else kinematics.axis[body]
     across = in_body - np.outer(in_body @ axis, axis)
     columns = np.ascontiguousarray(points.T)
@@ -149,15 +152,6 @@ def _hull(
         axis_reach_m=float(np.linalg.norm(across, axis=1).max()),
         detail=len(points),
     )
-
-
-def _ball_centre(points: Array) -> Array:
-    """Centre of a nearly smallest enclosing ball (Badoiu and Clarkson, 2003)."""
-    centre = points.mean(axis=0)
-    for i in range(1, 200):
-        farthest = points[np.argmax(np.einsum("ni,ni->n", points - centre, points - centre))]
-        centre = centre + (farthest - centre) / (i + 1)
-    return np.asarray(centre, dtype=np.float64)
 
 
 def _plain(geometry: Any) -> Shape | None:

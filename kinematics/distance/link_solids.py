@@ -49,7 +49,8 @@ def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
 
 
 def _hull(body: int, points: Array) -> Solid:
-    # imported here: it brings the compiler
+    # imported here: they bring the compiler
+    from kinematics.distance.enclosing_ball import ball_centre
     from kinematics.distance.separation import reduced_hull
 
     points = np.ascontiguousarray(points)
@@ -58,20 +59,11 @@ def _hull(body: int, points: Array) -> Solid:
     rough, rough_pad = reduced_hull(points, ROUGH_M, order)
     count, pad = reduced_hull(points, REDUCTION_M, order)
     few = points[order[:count]]
-    centre = _ball_centre(points)
+    centre = ball_centre(points)
     radius = float(np.linalg.norm(points - centre, axis=1).max())
     return Solid(
         HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad
     )
-
-
-def _ball_centre(points: Array) -> Array:
-    """Centre of a nearly smallest enclosing ball (Badoiu and Clarkson, 2003)."""
-    centre = points.mean(axis=0)
-    for i in range(1, 200):
-        off = points - centre
-        centre = centre + off[np.argmax(np.einsum("ni,ni->n", off, off))] / (i + 1)
-    return np.asarray(centre, dtype=np.float64)
 
 
 def convex_hull(points: Array) -> coal.ConvexBase:
