@@ -13,7 +13,8 @@ _STEPS = 200
 def ball_centre(points: Array) -> Array:
     """Centre of a nearly smallest enclosing ball of points, shape (n, 3) (Badoiu and Clarkson, 2003)."""
     centre: Array = points.mean(axis=0)
-    _towards_farthest(np.ascontiguousarray(points), centre)
+    # a copy: to the compiler, what cannot be written is of another type
+    _towards_farthest(np.array(points, np.float64, order="C"), centre)
     return centre
 
 
