@@ -121,6 +121,17 @@ def test_of_a_scene_it_is_told_why_each_thing_is_not_asked_for(pool):
     assert why_not_asked_for(load_scene(str(on_floor)), hands_of("talos")) == reasons
 
 
+@pytest.mark.parametrize(("robot", "asked"), [("talos", True), ("panda", True), ("g1", False)])
+def test_a_small_body_is_not_asked_for_what_is_far_from_the_edge(pool, robot, asked):
+    there = load_scene(str(pool))
+    (table,) = there.furniture
+    narrow = replace(there, furniture=(replace(table, size_m=(1.2, 4.0, 0.8)),))
+
+    reason = why_not_asked_for(narrow, hands_of(robot))["ketchup"]
+
+    assert ("than this body reaches" in reason) is not asked
+
+
 def test_what_stands_between_others_is_not_asked_for(tmp_path):
     scene = tmp_path / "between.toml"
     walls = "".join(

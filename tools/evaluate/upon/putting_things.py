@@ -20,8 +20,8 @@ from tools.evaluate.skills import rooms
 from tools.evaluate.skills.placing import PlaceJudge
 from tools.evaluate.skills.putting_in import PutInJudge, container_on
 from tools.evaluate.skills.suite import SkillJudge, SkillSuite, Trial
-from tools.evaluate.upon.takeable import hands_of
-from tools.evaluate.upon.things import drawn, workspace_of
+from tools.evaluate.upon.takeable import hands_of, workspace_of
+from tools.evaluate.upon.things import drawn
 from trees.tasks import ObjectDescription, PickTask, PlaceTask, PutInTask, Task
 
 _COUNT = (1, 4)

@@ -27,6 +27,7 @@ from robots.models.description import load_description
 from robots.scenes.scene_description import RobotStart, SceneDescription, SceneItem
 from robots.scenes.scene_file import load_scene
 from robots.scenes.scene_solids import planning_scene
+from tools.evaluate.skills import rooms
 from tools.evaluate.upon.hand_alone import hand_takes
 from trees.policy import TreePolicy
 
@@ -34,6 +35,10 @@ _TOP_M, _WIDE_M, _HIGH_M = 0.04, 1.2, 0.8
 """Of a table's top that a thing stands on alone."""
 _ARM_AWAY_M, _SIDES, _PEDESTAL_M = (0.5, 0.55, 0.45, 0.6, 0.65), 16, 0.17
 """How far from a thing an arm is bolted down, on one of so many sides, and what its pedestal needs around."""
+_SMALL_M = 0.9
+"""A humanoid whose base is lower than this at home stands before a low table,"""
+_BEFORE_M = 0.2
+"""and with the middle between its feet at least so far before its edge."""
 _HEADINGS_RAD = tuple(np.linspace(-math.pi, math.pi, 12, endpoint=False).tolist())
 _HEIGHTS = (ABOVE_MIDDLE, NEAR_TOP, *np.linspace(-0.4, 0.45, 18).tolist())
 """Of a palm: where it comes from, and how high above the middle, in shares of the thing's height."""
@@ -112,9 +117,27 @@ def _why_not(item: SceneItem, scene: SceneDescription, solids: PlanningScene, ha
         return "stands on no furniture"
     if hands.model.description.welded and not bolted_before(item, scene):
         return "nowhere within an arm's reach of it has a pedestal room"
+    if not _in_reach(item, on, hands.model):
+        return "farther from the edge of what it stands on than this body reaches"
     if not hands.take_alone(item):
         return "no hand can take it even where nothing else is"
     return "" if hands.take(solids, item.name) else "no hand has room beside it"
+
+
+def workspace_of(model: RobotModel) -> rooms.Workspace:
+    """Tables that suit a robot."""
+    if model.description.welded:
+        return rooms.BENCH
+    return rooms.LOW if model.q_home[2] < _SMALL_M else rooms.STANDING
+
+
+def _in_reach(item: SceneItem, on: SceneObject, model: RobotModel) -> bool:
+    """Whether somebody who stands before what it stands on gets so far; an arm is bolted down near it."""
+    if model.description.welded or not isinstance(on.shape, Box):
+        return True
+    middle = poses.inverse(on.world_T_object) @ item.world_T_object
+    in_m = 0.5 * np.array(on.shape.size_m[:2]) - np.abs(middle[:2, 3])
+    return float(in_m.min()) <= workspace_of(model).farthest_m - _BEFORE_M
 
 
 def bolted_before(item: SceneItem, scene: SceneDescription) -> list[RobotStart]:

@@ -17,13 +17,12 @@ from executive.session.assembly import Assembly
 from executive.session.task_result import TaskResult
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
-from kinematics.model.robot_model import RobotModel
 from robots.scenes.scene_description import Furniture, RobotStart, SceneItem
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders
-from tools.evaluate.upon.takeable import asked_for_in, bolted_before, hands_of, named_alone
+from tools.evaluate.upon.takeable import asked_for_in, bolted_before, hands_of, named_alone, workspace_of
 from trees.tasks import ObjectDescription, PickTask
 
 LIFTED_M = 0.08
@@ -34,8 +33,6 @@ _LARGEST_M = 0.16
 """What reaches farther from its middle than this leaves no room for others."""
 _DRAWS = 40
 _START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
-_SMALL_M = 0.9
-"""A humanoid whose base is lower than this at home stands before a low table."""
 
 
 class ThingJudge:
@@ -139,13 +136,6 @@ def in_place_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     said = f"pick up the {aim}"
     task = PickTask(said, ObjectDescription(name=aim))
     return Trial(replace(there, robot_start=began), (task,), aim, sentence=said)
-
-
-def workspace_of(model: RobotModel) -> rooms.Workspace:
-    """Tables that suit a robot."""
-    if model.description.welded:
-        return rooms.BENCH
-    return rooms.LOW if model.q_home[2] < _SMALL_M else rooms.STANDING
 
 
 def _placed(
