@@ -3,7 +3,8 @@
 This is what suites ask before they ask for a thing, so that a robot is not judged by what its own planner
 finds. It looks for no good grasp: each two sides of the thing that face each other are tried, the hand turned
 about the line between them in small steps and moved along its fingers, with the hand's own solids against
-all others. Neither an arm nor the choices of the generator of grasps have a part in it.
+all others. It has to hold also where the hand comes a little beside that: where things are is not known better.
+Neither an arm nor the choices of the generator of grasps have a part in it.
 """
 
 from __future__ import annotations
@@ -26,6 +27,8 @@ CONE_RAD = math.radians(25.0)
 """Friction 0.6 holds to 31 degrees between a normal and the line across; poses are wrong by some."""
 SPARE_M = 0.006
 """Free on each side of the thing between open fingers: where it is is known to so much at best."""
+_WRONG = 0.005 * np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+"""What a hand may be beside its place, m, in its own frame; along the opening it has what is spare."""
 _SAMPLES, _TURNS, _MOST_LINES = 700, 32, 1500
 _NEAR_TIP, _DEPTHS = 0.5, 5
 """So far beyond the middle of the pads, in shares of half of them, what is held may be towards their ends."""
@@ -59,12 +62,24 @@ def hand_takes(model: RobotModel, hand: Hand, scene: PlanningScene, target: str)
     itself = hand_judge(model, hand, own, "", SPARE_M)
     surface = surface_of_thing(item)
     away = np.linspace(0.0, -_OFF_M, _STEPS).tolist()
-    for poses in _poses_across(surface, gripper):
+
+    def held(poses: Array) -> list[Array]:
         free = poses[judge.fits_along(poses, [gripper.closing_advance_m, *away])]
         free = free[itself.fits_along(free, away)] if len(free) else free
-        if any(_holds(pose, surface, gripper) for pose in free):
-            return True
-    return False
+        return [pose for pose in free if _holds(pose, surface, gripper)]
+
+    return any(
+        len(held(_beside(pose))) == len(_WRONG)
+        for poses in _poses_across(surface, gripper)
+        for pose in held(poses)
+    )
+
+
+def _beside(pose: Array) -> Array:
+    """Where a hand comes that is wrong along its fingers or across them, shape (4, 4, 4)."""
+    wrong = np.repeat(pose[None], len(_WRONG), axis=0)
+    wrong[:, :3, 3] += _WRONG @ pose[:3, :3].T
+    return wrong
 
 
 def surface_of_thing(item: SceneObject) -> _Surface:
