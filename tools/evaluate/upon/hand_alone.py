@@ -3,7 +3,7 @@
 This is what suites ask before they ask for a thing, so that a robot is not judged by what its own planner
 finds. It looks for no good grasp: each two sides of the thing that face each other are tried, the hand turned
 about the line between them in small steps and moved along its fingers, with the hand's own solids against
-all others. It has to hold also where the hand comes a little beside that: where things are is not known better.
+all others. It has to hold also where the hand comes a little beside that: no place is known better than so.
 Neither an arm nor the choices of the generator of grasps have a part in it.
 """
 
