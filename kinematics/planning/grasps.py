@@ -34,7 +34,8 @@ _ROUNDING_RAD = 1e-6
 OPENING_RESERVE_M = 0.006
 # One of the other grasps of something low reaches less deep by this.
 SHALLOWER_M = 0.006
-# Grasped where the hand usually does, by its data: a share of the height that none has by itself.
+# Stands for the height at which a hand usually grasps, ``GripperDescription.above_middle``: it is compared
+# with, and no share of the height of its own.
 ABOVE_MIDDLE = 0.12
 # Where else, when that does not go: nearer to the top over a high table, lower under an overhang.
 NEAR_TOP = 0.4

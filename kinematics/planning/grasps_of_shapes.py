@@ -45,10 +45,10 @@ def any_grasp_table(
 ) -> GraspTable:
     """Candidates for one hand of a robot, most natural first; other arguments as of ``grasp_table``."""
     gripper, parts = model.description.grippers[hand], item.shape.parts
-    if parts is None or gripper.palm_side_m is not None or not _by_surface(item, gripper):
+    if parts is None or not _by_surface(item, gripper):
+        return grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
+    if gripper.palm_side_m is not None:
         table = grasp_table(item, gripper, natural_yaw_rad, approach_m, heights, extra_cost)
-        if parts is None or not needs_shape_grasps(parts):
-            return table
         return with_one_width(table, parts, gripper, item.world_T_object)
     found = shape_grasps(parts, model, hand, item.world_T_object)
     places = item.world_T_object @ found.object_T_tcp
@@ -81,7 +81,7 @@ def any_grasp_table(
 
 
 def _by_surface(item: SceneObject, gripper: GripperDescription) -> bool:
-    """Whether a thing of parts is unlike its outline, or this too wide for the pads: it may have walls."""
+    """Whether a thing is unlike its outline, or its outline is too wide for the pads: it may have a wall."""
     parts = item.shape.parts
     if parts is None or not len(parts.surface):
         return False

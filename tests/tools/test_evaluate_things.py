@@ -19,6 +19,7 @@ from tools.evaluate.report import save_scenes
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.putting_in import container_of
 from tools.evaluate.skills.summary import SkillSummary
+from tools.evaluate.upon import hand_alone
 from tools.evaluate.upon.putting_things import is_open_at_the_top
 from tools.evaluate.upon.takeable import Hands, bolted_before, hands_of, why_not_asked_for
 from tools.evaluate.upon.things import _radius_m
@@ -184,6 +185,15 @@ def test_a_hand_alone_takes_what_is_between_its_fingers_widths_and_high_enough(s
     thing = SceneItem("thing", "thing", None, shape, 0.2, 0.6, np.eye(4))
 
     assert Hands("talos").take_alone(thing) is held
+
+
+def test_what_a_hand_takes_at_one_place_alone_and_not_5_mm_beside_is_not_asked_for(monkeypatch):
+    flat = SceneItem("thing", "thing", None, Box((0.0802, 0.04632, 0.02742)), 0.2, 0.6, np.eye(4))
+
+    assert not Hands("panda").take_alone(flat)
+
+    monkeypatch.setattr(hand_alone, "_WRONG", np.zeros((1, 3)))
+    assert Hands("panda").take_alone(flat)
 
 
 def test_a_scene_that_has_nothing_for_a_hand_is_refused_before_any_episode(pool, capsys):

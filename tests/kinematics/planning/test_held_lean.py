@@ -112,6 +112,13 @@ def test_what_both_ends_lean_the_way_between_them_leans_no_more(model, between):
 
     assert way is not None
     assert leaned_rad(model, space, way, scene) < 0.02
+    up = [
+        model.frame_pose(q, model.description.tcp_frames["right"])[2, :3]
+        @ scene.attached["cup"].frame_T_object[:3, 2]
+        for q in space.to_q(way(np.array([0.0, 0.5])))[0]
+    ]
+    first_rad, middle_rad = np.arccos(up)
+    assert middle_rad == pytest.approx(0.5 * first_rad, rel=0.1)
 
 
 @pytest.mark.parametrize("free", [True, False])

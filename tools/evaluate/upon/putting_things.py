@@ -27,7 +27,8 @@ from trees.tasks import ObjectDescription, PickTask, PlaceTask, PutInTask, Task
 _COUNT = (1, 4)
 _INTO_CHANCE, _OWN_CHANCE, _HELD_CHANCE = 0.5, 0.5, 0.6
 _MIDDLE, _FLOOR = 0.5, 0.35
-"""Of what is open at the top nothing is above this share of its height in the middle, so far out."""
+"""A thing is open at the top where nothing in its middle, as wide as the first share of its width, is higher
+than the second of its height."""
 _LEAST_WIDE_M, _MOST_WIDE_M = 0.12, 0.36
 
 
