@@ -8,6 +8,7 @@ from kinematics.arrays import Array
 from kinematics.model.robot_description import Hand
 from robots.control.grip.hand_joints import HandJoints
 from robots.control.grip.joint_tracker import JointTracker
+from robots.control.grip.steady_motors import SteadyMotors
 from robots.interface.gripper_reading import GripperReading, read_gripper
 from robots.interface.hardware import RobotData
 from robots.interface.robot import RobotState
@@ -25,7 +26,7 @@ class GripKeeper:
     between setpoint and fingers, so the setpoint is kept ``effort / stiffness`` further closed than
     the fingers are. When the fingers give way (the object was taken, or slips) it follows them, and
     so an emptied gripper closes. The motors of a hand that has several press with what they may give:
-    there the setpoint goes on to the end.
+    there the setpoint goes on to the end, and then each motor's own comes back to its finger.
 
     Attributes:
         joint: Name of the driven joint; of several, of the first one that moves.
@@ -62,6 +63,8 @@ class GripKeeper:
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
         self._effort_nm = 0.0
+        self._motors = None if self.joints.single else SteadyMotors(data, hand, self.joints, period_s)
+        self._motors_rad = self.joints_at
 
     def _load_code(self) -> None:
         """Let compiled code be loaded before the first closing: a control period has no time for it."""
@@ -80,11 +83,30 @@ class GripKeeper:
         """Positions of the driven joints that are commanded now, shape (m,)."""
         return self.joints.setpoint(*self.setpoint)[0]
 
+    @property
+    def moving(self) -> bool:
+        """Whether a setpoint of its joints is on its way."""
+        return self._tracker.v_rad_s != 0.0 or (self._motors is not None and self._motors.moving)
+
+    @property
+    def shifted(self) -> bool:
+        """Whether a motor of several is elsewhere than the gripper's position has it."""
+        return self._motors is not None and self._motors.shifted
+
+    def write(self, q: Array, v: Array) -> None:
+        """Put the setpoint where it belongs among those of the actuated joints, shape (n,)."""
+        self.joints.write(*self.setpoint, q, v)
+        if self._motors is not None:
+            q[self.joints.indices] += self._motors.shift
+            v[self.joints.indices] += self._motors.speed
+
     def sense(self, state: RobotState) -> None:
         """Take the newest readings in; once a control period."""
         measured = self.joints.position(state.q)
         self._fingers_rad += self._position_share * (measured - self._fingers_rad)
         self._effort_nm += self._effort_share * (self.joints.effort(state.effort) - self._effort_nm)
+        if self._motors is not None:
+            self._motors_rad += self._position_share * (state.q[self.joints.indices] - self._motors_rad)
 
     def tracker(self) -> JointTracker:
         """Return a fresh tracker that goes on from the present setpoint, for a motion to steer by."""
@@ -94,6 +116,7 @@ class GripKeeper:
 
     def propose(self) -> tuple[float, float]:
         """Advance one period; ``commit`` makes it so, ``revert`` takes it back."""
+        self._propose_motors()
         if self.pressing:
             wanted = self._fingers_rad + self._inwards * self._squeeze_rad
             most = self._gripper.closed_rad
@@ -107,6 +130,7 @@ class GripKeeper:
 
     def follow(self, q_rad: float, v_rad_s: float) -> None:
         """Propose what a motion commands on the first joint that moves."""
+        self._propose_motors()
         at, speed = self.joints.stroke(q_rad, v_rad_s)
         self._tracker.q_rad, self._tracker.v_rad_s = at, speed
         self._tracker.a_rad_s2 = (speed - self._committed[1]) / self._period_s
@@ -114,16 +138,32 @@ class GripKeeper:
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""
         self._committed = (*self.setpoint, self._tracker.a_rad_s2)
+        if self._motors is not None:
+            self._motors.commit()
 
     def revert(self) -> None:
         """Go back to what the robot follows: the rest was refused."""
         self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed
+        if self._motors is not None:
+            self._motors.revert()
 
     def halt(self) -> None:
         """Rest where the robot was told to stay: at the last position that it follows."""
         self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed[0], 0.0, 0.0
+        if self._motors is not None:
+            self._motors.halt()
         self.commit()
 
     def reading(self) -> GripperReading:
         """What the gripper's sensors say now, efforts averaged over some control periods."""
         return read_gripper(self._gripper, self._grip, self._fingers_rad, self._effort_nm)
+
+    def _propose_motors(self) -> None:
+        """Those of several come back to their fingers once all of them press."""
+        if self._motors is None:
+            return
+        short_rad = abs(self._tracker.q_rad - self._gripper.closed_rad)
+        if self.pressing and not self._tracker.moving and short_rad <= self._grip.deadband_rad:
+            self._motors.come_to(self._motors_rad, self.joints_at)
+        else:
+            self._motors.go_back()

@@ -30,6 +30,7 @@ class HandJoints:
         indices: Where they are among the actuated joints, shape (m,).
         lead: Where the first one that moves is.
         single: Whether there is but one.
+        inwards: The sign with which each closes, shape (m,); 0 for one that keeps still.
     """
 
     def __init__(self, description: RobotDescription, hand: Hand) -> None:
@@ -51,6 +52,7 @@ class HandJoints:
         self._closed, self._span = closed, span
         self._share = np.where(moves, 1.0, 0.0) / (np.where(moves, span, 1.0) * max(1, int(moves.sum())))
         self._sign = np.sign(span)
+        self.inwards = -self._sign
         at = self.names.index(gripper.joint)
         self._lead_closed, self._lead_span = float(closed[at]), float(span[at])
         limits = [description.limits[name] for name in self.names]

@@ -60,7 +60,7 @@ class GuardedTracks:
     @property
     def still(self) -> bool:
         """Whether none runs and no gripper is commanded to move."""
-        fingers = any(keeper.setpoint[1] != 0.0 for keeper in self.keepers.values())
+        fingers = any(keeper.moving for keeper in self.keepers.values())
         return not self._running and not fingers
 
     def start(self, motion: GuardedMotion, handle: MotionHandle, standing: StandingRobot) -> str | None:
@@ -118,10 +118,10 @@ class GuardedTracks:
                 k = int(np.argmax(guide.indices == keeper.joints.lead))
                 keeper.follow(float(guide.q[k]), float(guide.v[k]))
             else:
-                before = keeper.setpoint
-                if keeper.propose() != before or before[1] != 0.0:
+                before, moved = keeper.setpoint, keeper.moving
+                if keeper.propose() != before or moved or keeper.moving:
                     owners.append(_grip(keeper))
-            keeper.joints.write(*keeper.setpoint, q, v)
+            keeper.write(q, v)
         return owners
 
     def commit(self) -> None:

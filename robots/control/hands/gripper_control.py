@@ -20,6 +20,8 @@ _FELT = 0.8
 once the setpoint stands, and waiting for all of it would wait for the noise."""
 _SETTLE_S = 0.6
 """Time beyond the stroke for the effort to build up and for the fingers to settle."""
+_COME_BACK_S = 0.5
+"""The motors of a hand that has several are back at the hand's position by then, before it opens."""
 _OVERSHOOT = 1.25
 """Measured effort may exceed the closing effort by this share: fingers that meet something at
 speed are braked by the servo's damping too."""
@@ -61,6 +63,7 @@ class _GripperMotion:
         gripper, grip = data.description.grippers[hand], data.hardware.grips[hand]
         joints = keeper.joints
         stroke_s = abs(gripper.closed_rad - gripper.open_rad) / grip.closing_speed_rad_s
+        back_s = 0.0 if joints.single else _COME_BACK_S
         self.name = f"{self.verb} {gripper.hand} gripper"
         ends = [joints.setpoint(end, 0.0)[0] for end in (gripper.open_rad, gripper.closed_rad)]
         fastest = abs(joints.setpoint(0.0, min(grip.closing_speed_rad_s, joints.limits.velocity))[1])
@@ -72,7 +75,7 @@ class _GripperMotion:
             upper_rad=np.maximum(*ends),
             velocity=fastest,
             effort=one_effort if joints.single else joints.most_effort,
-            duration_s=stroke_s + _SETTLE_S,
+            duration_s=stroke_s + back_s + _SETTLE_S,
         )
         self._gripper = gripper
         self._arrived_rad = grip.arrived_rad
@@ -103,6 +106,8 @@ class OpenGripper(_GripperMotion):
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint, or None once the fingers are open."""
         self._keeper.pressing = False
+        if self._keeper.shifted:
+            return self._joints.setpoint(*self._keeper.setpoint)
         target = self._gripper.open_rad
         arrived = abs(self._joints.position(state.q) - target) < self._arrived_rad
         if elapsed_s > 0.0 and arrived and self._stands_at(target):
@@ -124,7 +129,8 @@ class CloseGripper(_GripperMotion):
         """Next setpoint, or None once the grip stands, empty or not."""
         target = self._gripper.closed_rad
         reading = self._keeper.reading()
-        felt = reading.effort_nm >= _FELT * self._effort_nm
+        pressed = self._joints.single or self._stands_at(target)
+        felt = pressed and reading.effort_nm >= _FELT * self._effort_nm
         # A thin thing meets the pads so late that the closed position never builds up the effort.
         closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
         arrived = self._stands_at(target) and abs(self._joints.position(state.q) - target) < self._arrived_rad

@@ -1,0 +1,116 @@
+"""Setpoints of a hand's several motors while it presses: as near to its fingers as pressing lets them be."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.arrays import Array
+from kinematics.model.robot_description import Hand
+from robots.control.grip.hand_joints import HandJoints
+from robots.control.grip.joint_tracker import JointTracker
+from robots.interface.hardware import RobotData
+
+_PRESSES = 0.85
+"""Share of its effort with which a motor holds on. What moves its finger by a little then meets the servo's
+stiffness and damping; with all of its effort it would meet neither, and what is held would sway."""
+_LOOSE = 0.1
+"""A setpoint that rests follows a finger that has moved by more than this share of its servo's bend,"""
+_MET = 0.01
+"""and one that moves comes as near as this."""
+_BACK_RAD = 1e-6
+"""Nearer than this to the hand's position a motor is there."""
+
+_State = tuple[tuple[float, float, float], ...]
+
+
+class SteadyMotors:
+    """How far each motor's setpoint is from where the hand's position has it, and how that changes.
+
+    A hand presses by setpoints at the end of its fingers' way, where every motor gives all that it may. Once it
+    does, each setpoint comes back to its finger, but for what bends the servo by its share of the effort.
+
+    Attributes:
+        shift: What is added to each motor's position, rad, shape (m,).
+        speed: By which that changes, rad/s, shape (m,).
+    """
+
+    def __init__(self, data: RobotData, hand: Hand, joints: HandJoints, period_s: float) -> None:
+        """Begin without any shift.
+
+        Args:
+            data: The robot's.
+            hand: Which hand.
+            joints: Its joints, several.
+            period_s: The control period.
+        """
+        description, names = data.description, joints.names
+        limits = [description.limits[name] for name in names]
+        stiffness = np.array([data.hardware.gains[name].stiffness for name in names])
+        effort = np.array([limit.effort for limit in limits])
+        self._bends = joints.inwards * effort / stiffness
+        self._inwards = joints.inwards
+        self._trackers = tuple(
+            JointTracker(0.0, limit.velocity, limit.acceleration, period_s, limit.jerk) for limit in limits
+        )
+        self._committed: _State = tuple((0.0, 0.0, 0.0) for _ in names)
+        self.shift, self.speed = np.zeros(len(names)), np.zeros(len(names))
+
+    @property
+    def moving(self) -> bool:
+        """Whether a setpoint is on its way."""
+        return any(tracker.moving for tracker in self._trackers)
+
+    @property
+    def shifted(self) -> bool:
+        """Whether a motor is elsewhere than the hand's position has it."""
+        return self.moving or bool(np.abs(self.shift).max() > _BACK_RAD)
+
+    def come_to(self, fingers: Array, ends: Array) -> None:
+        """Advance one period towards where pressing fingers are.
+
+        Args:
+            fingers: Where the joints are, rad, shape (m,).
+            ends: Where the hand's position has them, rad, shape (m,).
+        """
+        wanted = fingers + _PRESSES * self._bends - ends
+        # nothing is pressed by a setpoint beyond the end
+        self._advance(np.where(self._inwards * wanted < 0.0, wanted, 0.0))
+
+    def go_back(self) -> None:
+        """Advance one period towards no shift."""
+        if self.shifted:
+            self._advance(np.zeros(len(self._trackers)))
+
+    def commit(self) -> None:
+        """What was proposed is what the robot follows now."""
+        self._committed = tuple((one.q_rad, one.v_rad_s, one.a_rad_s2) for one in self._trackers)
+
+    def revert(self) -> None:
+        """Go back to what the robot follows: the rest was refused."""
+        for tracker, state in zip(self._trackers, self._committed, strict=True):
+            tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = state
+        self._tell()
+
+    def halt(self) -> None:
+        """Rest at the last shift that the robot follows."""
+        for tracker, (at, _, _) in zip(self._trackers, self._committed, strict=True):
+            tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = at, 0.0, 0.0
+        self.commit()
+        self._tell()
+
+    def _advance(self, wanted: Array) -> None:
+        for tracker, target, bend in zip(
+            self._trackers, wanted.tolist(), np.abs(self._bends).tolist(), strict=True
+        ):
+            moving = tracker.moving
+            at = tracker.rest_rad if moving else tracker.q_rad
+            near = _MET if moving else _LOOSE
+            if target == 0.0 or abs(target - at) > near * bend:
+                tracker.step_towards(target)
+            else:
+                tracker.step_to_rest()
+        self._tell()
+
+    def _tell(self) -> None:
+        for k, tracker in enumerate(self._trackers):
+            self.shift[k], self.speed[k] = tracker.q_rad, tracker.v_rad_s
