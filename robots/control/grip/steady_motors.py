@@ -13,7 +13,7 @@ from robots.interface.hardware import RobotData
 _PRESSES = 0.85
 """Share of its effort with which a motor holds on. What moves its finger by a little then meets the servo's
 stiffness and damping; with all of its effort it would meet neither, and what is held would sway."""
-_LOOSE = 0.1
+_LOOSE = 0.3
 """A setpoint that rests follows a finger that has moved by more than this share of its servo's bend,"""
 _MET = 0.01
 """and one that moves comes as near as this."""

@@ -58,11 +58,11 @@ def test_a_setpoint_at_rest_meets_little_movement_and_follows_much(hand):
     pressing.press()
     before = pressing.motors.shift.copy()
 
-    pressing.fingers = pressing.fingers + 0.08 * pressing.bends
+    pressing.fingers = pressing.fingers + 0.25 * pressing.bends
     assert not pressing.press().any()
     assert pressing.motors.shift == pytest.approx(before, abs=0.0)
 
-    pressing.fingers = pressing.fingers + 0.3 * pressing.bends
+    pressing.fingers = pressing.fingers + 0.4 * pressing.bends
     assert pressing.press().any()
     assert pressing.beyond == pytest.approx(0.85, abs=0.011)
 
