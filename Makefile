@@ -12,6 +12,8 @@ SEED ?= 0
 SUITES ?= pick
 QUICK ?=
 SENTENCE ?= pick up the red cup on the table
+# Tests begin a few hundred processes: without kept bytecode each of them compiles this project anew.
+export PYTHONDONTWRITEBYTECODE :=
 
 # The first interpreter of a supported version; names that are only shims of absent versions fail the probe.
 FIND_PYTHON = for p in $(PYTHON) python3.11 python3.12 python3.13 python3; do \

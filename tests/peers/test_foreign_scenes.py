@@ -10,12 +10,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from robots.scenes.scene_file import load_scene
 from robots.simulated.importing.bodies import label_of_body, read_foreign
 from robots.simulated.importing.import_scene import import_scene
 from robots.simulated.importing.inventory import inventory_of
 from tools.benchmark.peers.environments import PeerEnvironment, default_cache
+from tools.documents.imported_pictures import PICTURES, SHOWN, draw, picture_of
 
 EXPORT = Path(__file__).parent / "programs" / "export_scenes.py"
 ASSETS = Path("lib/python3.11/site-packages")
@@ -36,11 +38,17 @@ def environment():
 
 
 @pytest.fixture(scope="module")
-def exported(environment, tmp_path_factory):
-    """Scenes that the benchmarks have built, with their makers' answers."""
+def folder(environment, tmp_path_factory):
+    """Where the benchmarks have written their scenes."""
     folder = tmp_path_factory.mktemp("scenes")
     done = subprocess.run([environment.python, EXPORT, folder], capture_output=True, text=True, timeout=500)
     assert done.returncode == 0, done.stderr[-2000:]
+    return folder
+
+
+@pytest.fixture(scope="module")
+def exported(folder):
+    """Scenes that the benchmarks have built, with their makers' answers."""
     return {
         file.stem: (inventory_of(read_foreign(file.with_suffix(".xml"))), json.loads(file.read_text()))
         for file in sorted(folder.glob("*.json"))
@@ -164,3 +172,17 @@ def test_each_makes_a_scene_that_can_be_a_world_and_tells_all_that_is_not_in_it(
         bodies += len(found.objects) + len(found.pieces) + sum(len(p.openings) for p in found.pieces)
 
     assert asked <= MOST_ASKED * bodies, (asked, bodies)
+
+
+@pytest.mark.opengl
+def test_the_pictures_in_the_documentation_can_be_drawn_again(folder, tmp_path):
+    assert draw(folder, tmp_path) == []
+
+    names = sorted(picture_of(scene) for scene in SHOWN)
+    page = (PICTURES.parent / "guides" / "scenes.md").read_text()
+    assert sorted(file.name for file in PICTURES.glob("imported_*")) == names
+    for name in names:
+        drawn, kept = Image.open(tmp_path / name), Image.open(PICTURES / name)
+        assert drawn.size == kept.size
+        assert np.asarray(drawn.convert("L"), float).std() > 25.0  # of 255: it shows more than a sky
+        assert f"../pictures/{name}" in page

@@ -181,7 +181,7 @@ def test_a_run_that_is_killed_again_and_again_loses_no_episode_and_doubles_none(
     program.write_text(KILLED)
     command = [sys.executable, str(program), str(kept)]
     rng = random.Random(0)
-    for _ in range(3):
+    for _ in range(2):
         there = len(whole_lines(kept))
         with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}) as process:
             while process.poll() is None and len(whole_lines(kept)) == there:

@@ -63,7 +63,7 @@ class GripKeeper:
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
         self._effort_nm = 0.0
-        self._motors = None if self.joints.single else SteadyMotors(data, hand, self.joints, period_s)
+        self._motors = None if self.joints.single else SteadyMotors(data, self.joints, period_s)
         self._motors_rad = self.joints_at
 
     def _load_code(self) -> None:

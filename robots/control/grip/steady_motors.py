@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.arrays import Array
-from kinematics.model.robot_description import Hand
 from robots.control.grip.hand_joints import HandJoints
 from robots.control.grip.joint_tracker import JointTracker
 from robots.interface.hardware import RobotData
@@ -26,21 +25,20 @@ _State = tuple[tuple[float, float, float], ...]
 class SteadyMotors:
     """How far each motor's setpoint is from where the hand's position has it, and how that changes.
 
-    A hand presses by setpoints at the end of its fingers' way, where every motor gives all that it may. Once it
-    does, each setpoint comes back to its finger, but for what bends the servo by its share of the effort.
+    A hand presses by setpoints at the end of its fingers' way, where every motor gives all that it may. Once
+    it does, each setpoint comes back to its finger, but for what bends the servo by its share of the effort.
 
     Attributes:
         shift: What is added to each motor's position, rad, shape (m,).
         speed: By which that changes, rad/s, shape (m,).
     """
 
-    def __init__(self, data: RobotData, hand: Hand, joints: HandJoints, period_s: float) -> None:
+    def __init__(self, data: RobotData, joints: HandJoints, period_s: float) -> None:
         """Begin without any shift.
 
         Args:
             data: The robot's.
-            hand: Which hand.
-            joints: Its joints, several.
+            joints: Of a hand, several.
             period_s: The control period.
         """
         description, names = data.description, joints.names

@@ -33,8 +33,10 @@ def convex_parts(vertices: Array, faces: NDArray[np.int32], seed: int = 0) -> li
     trimesh = library("trimesh")
     mesh = trimesh.Trimesh(vertices, faces, process=True)
     hull = mesh.convex_hull
-    if mesh.is_watertight and mesh.volume >= CONVEX_SHARE * hull.volume:
-        return [of_few_corners(np.asarray(hull.vertices))]
+    bodies = mesh.split(only_watertight=False)
+    if len(bodies) <= MOST_PARTS and all(_is_convex(body) for body in bodies):
+        hulls = [of_few_corners(np.asarray(body.vertices)) for body in bodies]
+        return sorted(hulls, key=lambda one: -volume(one))
     simple = _simplified(trimesh, mesh)
     coacd = library("coacd")
     coacd.set_log_level("error")
@@ -53,6 +55,10 @@ def convex_parts(vertices: Array, faces: NDArray[np.int32], seed: int = 0) -> li
     )
     hulls = [of_few_corners(np.asarray(corners, np.float64)) for corners, _ in found if _is_solid(corners)]
     return sorted(hulls or [of_few_corners(np.asarray(hull.vertices))], key=lambda one: -volume(one))
+
+
+def _is_convex(mesh: Any) -> bool:
+    return bool(mesh.is_watertight and mesh.volume >= CONVEX_SHARE * mesh.convex_hull.volume)
 
 
 def _is_solid(corners: Any) -> bool:

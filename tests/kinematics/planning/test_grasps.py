@@ -170,7 +170,7 @@ def test_a_thing_that_is_pressed_against_the_palm_begins_beside_it(palms, hand, 
 
 @pytest.mark.parametrize(
     ("robot", "height_m", "above_m"),
-    [("talos", 0.2, 0.024), ("g1", 0.2, 0.0), ("g1", 0.096, 0.004), ("g1", 0.08, 0.007)],
+    [("talos", 0.2, 0.024), ("g1", 0.2, 0.0), ("g1", 0.116, 0.008), ("g1", 0.08, 0.007)],
     ids=["a share above", "at the middle", "off what it stands on", "all fingers meet it"],
 )
 def test_from_the_side_a_hand_takes_hold_where_it_usually_does(robot, height_m, above_m):

@@ -17,7 +17,7 @@ class Pressing:
 
     def __init__(self, hand):
         self.joints = HandJoints(G1.description, hand)
-        self.motors = SteadyMotors(G1, hand, self.joints, PERIOD_S)
+        self.motors = SteadyMotors(G1, self.joints, PERIOD_S)
         self.ends, self.fingers = (self.joints.setpoint(at, 0.0)[0] for at in (0.0, 0.5))
         names = self.joints.names
         self.limits = [G1.description.limits[name] for name in names]

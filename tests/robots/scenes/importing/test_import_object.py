@@ -76,6 +76,17 @@ def test_what_is_hollow_or_has_a_neck_is_cut_into_parts_that_leave_its_hollows_f
     assert parts.outline_error_m > 0.006
 
 
+def test_bodies_that_are_convex_are_the_parts_as_they_are(tmp_path):
+    pole, flag = foreign.carton((0.04, 0.04, 0.2)), foreign.carton((0.09, 0.1, 0.03))
+    flag.apply_translation((0.0, 0.05, 0.085))
+    mesh = foreign.trimesh.util.concatenate([pole, flag])
+
+    parts = import_object(foreign.written(mesh, tmp_path, "flag.obj")).model.parts
+
+    volumes = [foreign.trimesh.convex.convex_hull(one).volume for one in parts.hulls]
+    assert volumes == pytest.approx([pole.volume, flag.volume])
+
+
 def test_points_of_its_surface_are_on_it_with_normals_outwards(tmp_path):
     parts = import_object(foreign.written(foreign.bottle(), tmp_path, "bottle.obj")).model.parts
 
