@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from dataclasses import replace
 from typing import Any
 
 import coal
@@ -49,11 +50,17 @@ def link_solid(body: int, pose: Transform, geometry: Any) -> Solid:
 
 
 def _hull(body: int, points: Array) -> Solid:
+    return replace(_alike(np.ascontiguousarray(points).tobytes()), body=body)
+
+
+@functools.lru_cache(maxsize=512)
+def _alike(points_of_hull: bytes) -> Solid:
+    """The solid of the corners of a hull, shape (n, 3); robots of one kind have the same."""
     # imported here: they bring the compiler
     from kinematics.distance.enclosing_ball import ball_centre
     from kinematics.distance.separation import reduced_hull
 
-    points = np.ascontiguousarray(points)
+    points = np.frombuffer(points_of_hull).reshape(-1, 3).copy()
     order = np.empty(len(points), np.int64)
     # vertices are chosen in one order, whatever the tolerance
     rough, rough_pad = reduced_hull(points, ROUGH_M, order)
@@ -61,9 +68,9 @@ def _hull(body: int, points: Array) -> Solid:
     few = points[order[:count]]
     centre = ball_centre(points)
     radius = float(np.linalg.norm(points - centre, axis=1).max())
-    return Solid(
-        HULL, body, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad
-    )
+    for kept in (points, few, centre):
+        kept.flags.writeable = False
+    return Solid(HULL, 0, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad)
 
 
 def convex_hull(points: Array) -> coal.ConvexBase:

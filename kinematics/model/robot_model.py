@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Hashable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import coal
@@ -235,26 +235,38 @@ class RobotModel(Derivable):
 
     @cached_property
     def _pristine_geometry(self) -> pin.GeometryModel:
-        geometry = pin.buildGeomFromUrdfString(
-            self.pin, self.description.planning_urdf, pin.GeometryType.COLLISION
-        )
-        for item in geometry.geometryObjects:
-            if isinstance(item.geometry, coal.BVHModelBase):
-                # not buildConvexRepresentation: it keeps concave meshes as they are, and distances are then
-                # too large, by up to 13 cm for the grippers' hollow parts
-                item.geometry.buildConvexHull(True, "Qt")
-                item.geometry = item.geometry.convex
-        require_judged_solids(self.description.name, geometry)
-        for item in geometry.geometryObjects:
-            item.geometry.computeLocalAABB()  # and the ball about it
-        link = [self.link_of(item) for item in geometry.geometryObjects]
-        disabled = {frozenset(pair) for pair in self.description.disabled_collisions}
-        for i in range(len(link)):
-            for j in range(i + 1, len(link)):
-                if link[i] != link[j] and frozenset((link[i], link[j])) not in disabled:
-                    geometry.addCollisionPair(pin.CollisionPair(i, j))
-        return geometry
+        description = self.description
+        disabled = frozenset(frozenset(pair) for pair in description.disabled_collisions)
+        return _collision_model(description.name, description.planning_urdf, disabled)
 
     def link_of(self, item: pin.GeometryObject) -> str:
         """Name of the link that a geometry belongs to."""
         return str(self.pin.frames[item.parentFrame].name)
+
+
+@lru_cache(maxsize=8)
+def _collision_model(name: str, urdf: str, disabled: frozenset[frozenset[str]]) -> pin.GeometryModel:
+    """Hulls and pairs of a robot, read once: its meshes take a tenth of a second.
+
+    Args:
+        name: Of the robot.
+        urdf: Its planning URDF.
+        disabled: Pairs of links that are not judged.
+    """
+    model = pin.buildModelFromXML(urdf, pin.JointModelFreeFlyer())
+    geometry = pin.buildGeomFromUrdfString(model, urdf, pin.GeometryType.COLLISION)
+    for item in geometry.geometryObjects:
+        if isinstance(item.geometry, coal.BVHModelBase):
+            # not buildConvexRepresentation: it keeps concave meshes as they are, and distances are then
+            # too large, by up to 13 cm for the grippers' hollow parts
+            item.geometry.buildConvexHull(True, "Qt")
+            item.geometry = item.geometry.convex
+    require_judged_solids(name, geometry)
+    for item in geometry.geometryObjects:
+        item.geometry.computeLocalAABB()  # and the ball about it
+    link = [str(model.frames[item.parentFrame].name) for item in geometry.geometryObjects]
+    for i in range(len(link)):
+        for j in range(i + 1, len(link)):
+            if link[i] != link[j] and frozenset((link[i], link[j])) not in disabled:
+                geometry.addCollisionPair(pin.CollisionPair(i, j))
+    return geometry
