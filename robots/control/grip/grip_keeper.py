@@ -63,7 +63,7 @@ class GripKeeper:
         self._effort_share = min(1.0, period_s / _EFFORT_TIME_S)
         self._fingers_rad = start_rad
         self._effort_nm = 0.0
-        self._motors = None if self.joints.single else SteadyMotors(data, self.joints, period_s)
+        self._motors = SteadyMotors(data, self.joints, period_s)
         self._motors_rad = self.joints_at
 
     def _load_code(self) -> None:
@@ -86,17 +86,17 @@ class GripKeeper:
     @property
     def moving(self) -> bool:
         """Whether a setpoint of its joints is on its way."""
-        return self._tracker.v_rad_s != 0.0 or (self._motors is not None and self._motors.moving)
+        return self._tracker.v_rad_s != 0.0 or self._motors.moving
 
     @property
     def shifted(self) -> bool:
         """Whether a motor of several is elsewhere than the gripper's position has it."""
-        return self._motors is not None and self._motors.shifted
+        return self._motors.shifted
 
     def write(self, q: Array, v: Array) -> None:
         """Put the setpoint where it belongs among those of the actuated joints, shape (n,)."""
         self.joints.write(*self.setpoint, q, v)
-        if self._motors is not None:
+        if self._motors.shifted:
             q[self.joints.indices] += self._motors.shift
             v[self.joints.indices] += self._motors.speed
 
@@ -105,7 +105,7 @@ class GripKeeper:
         measured = self.joints.position(state.q)
         self._fingers_rad += self._position_share * (measured - self._fingers_rad)
         self._effort_nm += self._effort_share * (self.joints.effort(state.effort) - self._effort_nm)
-        if self._motors is not None:
+        if not self.joints.single:
             self._motors_rad += self._position_share * (state.q[self.joints.indices] - self._motors_rad)
 
     def tracker(self) -> JointTracker:
@@ -138,20 +138,17 @@ class GripKeeper:
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""
         self._committed = (*self.setpoint, self._tracker.a_rad_s2)
-        if self._motors is not None:
-            self._motors.commit()
+        self._motors.commit()
 
     def revert(self) -> None:
         """Go back to what the robot follows: the rest was refused."""
         self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed
-        if self._motors is not None:
-            self._motors.revert()
+        self._motors.revert()
 
     def halt(self) -> None:
         """Rest where the robot was told to stay: at the last position that it follows."""
         self._tracker.q_rad, self._tracker.v_rad_s, self._tracker.a_rad_s2 = self._committed[0], 0.0, 0.0
-        if self._motors is not None:
-            self._motors.halt()
+        self._motors.halt()
         self.commit()
 
     def reading(self) -> GripperReading:
@@ -160,10 +157,9 @@ class GripKeeper:
 
     def _propose_motors(self) -> None:
         """Those of several come back to their fingers once all of them press."""
-        if self._motors is None:
-            return
         short_rad = abs(self._tracker.q_rad - self._gripper.closed_rad)
-        if self.pressing and not self._tracker.moving and short_rad <= self._grip.deadband_rad:
+        presses = self.pressing and not self._tracker.moving and short_rad <= self._grip.deadband_rad
+        if presses and not self.joints.single:
             self._motors.come_to(self._motors_rad, self.joints_at)
         else:
             self._motors.go_back()

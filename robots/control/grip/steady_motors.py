@@ -1,4 +1,4 @@
-"""Setpoints of a hand's several motors while it presses: as near to its fingers as pressing lets them be."""
+"""Setpoints of a hand's motors while it presses: as near to its fingers as pressing lets them be."""
 
 from __future__ import annotations
 
@@ -31,6 +31,8 @@ class SteadyMotors:
     Attributes:
         shift: What is added to each motor's position, rad, shape (m,).
         speed: By which that changes, rad/s, shape (m,).
+        moving: Whether a setpoint is on its way.
+        shifted: Whether a motor is elsewhere than the hand's position has it.
     """
 
     def __init__(self, data: RobotData, joints: HandJoints, period_s: float) -> None:
@@ -38,7 +40,7 @@ class SteadyMotors:
 
         Args:
             data: The robot's.
-            joints: Of a hand, several.
+            joints: Of a hand.
             period_s: The control period.
         """
         description, names = data.description, joints.names
@@ -52,16 +54,7 @@ class SteadyMotors:
         )
         self._committed: _State = tuple((0.0, 0.0, 0.0) for _ in names)
         self.shift, self.speed = np.zeros(len(names)), np.zeros(len(names))
-
-    @property
-    def moving(self) -> bool:
-        """Whether a setpoint is on its way."""
-        return any(tracker.moving for tracker in self._trackers)
-
-    @property
-    def shifted(self) -> bool:
-        """Whether a motor is elsewhere than the hand's position has it."""
-        return self.moving or bool(np.abs(self.shift).max() > _BACK_RAD)
+        self.moving = self.shifted = False
 
     def come_to(self, fingers: Array, ends: Array) -> None:
         """Advance one period towards where pressing fingers are.
@@ -112,3 +105,5 @@ class SteadyMotors:
     def _tell(self) -> None:
         for k, tracker in enumerate(self._trackers):
             self.shift[k], self.speed[k] = tracker.q_rad, tracker.v_rad_s
+        self.moving = any(tracker.moving for tracker in self._trackers)
+        self.shifted = self.moving or bool(np.abs(self.shift).max() > _BACK_RAD)
