@@ -256,3 +256,16 @@ def test_what_a_gripper_feels_is_told_in_the_unit_of_its_joint(name, told):
     at = {"talos": -0.30, "panda": 0.025}[name]
 
     assert str(read_gripper(gripper, grip, at, -4.2)) == told
+
+
+@pytest.mark.parametrize(
+    ("name", "elbow", "contact_nm"), [("talos", "arm_left_4_joint", 10.0), ("g1", "left_elbow_joint", 5.0)]
+)
+def test_every_arm_with_a_hand_feels_contact_also_where_no_effort_is_named(name, elbow, contact_nm):
+    robot = load_robot(name)
+
+    felt = robot.hardware.contact_effort_nm
+
+    arms = {joint for hand in ("left", "right") for joint in robot.description.groups[f"{hand}_arm"]}
+    assert set(felt) == arms
+    assert felt[elbow] == pytest.approx(contact_nm)
