@@ -33,8 +33,8 @@ def convex_parts(vertices: Array, faces: NDArray[np.int32], seed: int = 0) -> li
     trimesh = library("trimesh")
     mesh = trimesh.Trimesh(vertices, faces, process=True)
     hull = mesh.convex_hull
-    bodies = mesh.split(only_watertight=False)
-    if len(bodies) <= MOST_PARTS and all(_is_convex(body) for body in bodies):
+    bodies = mesh.split(only_watertight=False) if mesh.body_count <= MOST_PARTS else ()
+    if len(bodies) and all(_is_convex(body) for body in bodies):
         hulls = [of_few_corners(np.asarray(body.vertices)) for body in bodies]
         return sorted(hulls, key=lambda one: -volume(one))
     simple = _simplified(trimesh, mesh)
