@@ -68,9 +68,10 @@ def _alike(points_of_hull: bytes) -> Solid:
     few = points[order[:count]]
     centre = ball_centre(points)
     radius = float(np.linalg.norm(points - centre, axis=1).max())
-    for kept in (points, few, centre):
+    pose = np.eye(4)
+    for kept in (pose, points, few, centre):
         kept.flags.writeable = False
-    return Solid(HULL, 0, np.eye(4), (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad)
+    return Solid(HULL, 0, pose, (0.0, 0.0, 0.0), 0.0, centre, radius, few, points, pad, rough, rough_pad)
 
 
 def convex_hull(points: Array) -> coal.ConvexBase:

@@ -44,7 +44,8 @@ def draw(exported: Path, to: Path) -> list[str]:
         command += ["--scene", str(exported / f"{scene}.xml"), "--snapshot", str(to / picture_of(scene))]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode:
-            wrong.append(f"{scene}: {(done.stdout + done.stderr).strip().splitlines()[-1]}")
+            last = (done.stdout + done.stderr).strip().rpartition("\n")[2]
+            wrong.append(f"{scene}: {last}")
     return wrong
 
 

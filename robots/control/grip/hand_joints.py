@@ -51,8 +51,7 @@ class HandJoints:
         moves = span != 0.0
         self._closed, self._span = closed, span
         self._share = np.where(moves, 1.0, 0.0) / (np.where(moves, span, 1.0) * max(1, int(moves.sum())))
-        self._sign = np.sign(span)
-        self.inwards = -self._sign
+        self.inwards = -np.sign(span)
         at = self.names.index(gripper.joint)
         self._lead_closed, self._lead_span = float(closed[at]), float(span[at])
         limits = [description.limits[name] for name in self.names]
@@ -79,7 +78,7 @@ class HandJoints:
         """The effort on the position, from those of the actuated joints, shape (n,): all motors' together."""
         if self.single:
             return float(effort[self.lead])
-        return float(self._sign @ effort[self.indices])
+        return -float(self.inwards @ effort[self.indices])
 
     def stroke(self, q: float, v: float) -> tuple[float, float]:
         """Position and speed that belong to a setpoint of the first joint that moves."""

@@ -47,12 +47,14 @@ class SteadyMotors:
         limits = [description.limits[name] for name in names]
         stiffness = np.array([data.hardware.gains[name].stiffness for name in names])
         effort = np.array([limit.effort for limit in limits])
-        self._bends = joints.inwards * effort / stiffness
-        self._inwards = joints.inwards
+        self._inwards, bends = joints.inwards, effort / stiffness
+        self._pressed = _PRESSES * joints.inwards * bends
+        self._bends = bends.tolist()
         self._trackers = tuple(
             JointTracker(0.0, limit.velocity, limit.acceleration, period_s, limit.jerk) for limit in limits
         )
         self._committed: _State = tuple((0.0, 0.0, 0.0) for _ in names)
+        self._proposed = False
         self.shift, self.speed = np.zeros(len(names)), np.zeros(len(names))
         self.moving = self.shifted = False
 
@@ -63,7 +65,7 @@ class SteadyMotors:
             fingers: Where the joints are, rad, shape (m,).
             ends: Where the hand's position has them, rad, shape (m,).
         """
-        wanted = fingers + _PRESSES * self._bends - ends
+        wanted = fingers + self._pressed - ends
         # nothing is pressed by a setpoint beyond the end
         self._advance(np.where(self._inwards * wanted < 0.0, wanted, 0.0))
 
@@ -74,25 +76,28 @@ class SteadyMotors:
 
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""
-        self._committed = tuple((one.q_rad, one.v_rad_s, one.a_rad_s2) for one in self._trackers)
+        if self._proposed:
+            self._committed = tuple((one.q_rad, one.v_rad_s, one.a_rad_s2) for one in self._trackers)
+            self._proposed = False
 
     def revert(self) -> None:
         """Go back to what the robot follows: the rest was refused."""
         for tracker, state in zip(self._trackers, self._committed, strict=True):
             tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = state
+        self._proposed = False
         self._tell()
 
     def halt(self) -> None:
         """Rest at the last shift that the robot follows."""
         for tracker, (at, _, _) in zip(self._trackers, self._committed, strict=True):
             tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = at, 0.0, 0.0
+        self._proposed = True
         self.commit()
         self._tell()
 
     def _advance(self, wanted: Array) -> None:
-        for tracker, target, bend in zip(
-            self._trackers, wanted.tolist(), np.abs(self._bends).tolist(), strict=True
-        ):
+        self._proposed = True
+        for tracker, target, bend in zip(self._trackers, wanted.tolist(), self._bends, strict=True):
             moving = tracker.moving
             at = tracker.rest_rad if moving else tracker.q_rad
             near = _MET if moving else _LOOSE

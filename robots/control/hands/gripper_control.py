@@ -58,12 +58,16 @@ class _GripperMotion:
     verb = ""
 
     def __init__(
-        self, data: RobotData, hand: Hand, keeper: GripKeeper, effort_nm: float | None = None
+        self,
+        data: RobotData,
+        hand: Hand,
+        keeper: GripKeeper,
+        effort_nm: float | None = None,
+        before_s: float = 0.0,
     ) -> None:
         gripper, grip = data.description.grippers[hand], data.hardware.grips[hand]
         joints = keeper.joints
         stroke_s = abs(gripper.closed_rad - gripper.open_rad) / grip.closing_speed_rad_s
-        back_s = 0.0 if joints.single else _COME_BACK_S
         self.name = f"{self.verb} {gripper.hand} gripper"
         ends = [joints.setpoint(end, 0.0)[0] for end in (gripper.open_rad, gripper.closed_rad)]
         fastest = abs(joints.setpoint(0.0, min(grip.closing_speed_rad_s, joints.limits.velocity))[1])
@@ -75,7 +79,7 @@ class _GripperMotion:
             upper_rad=np.maximum(*ends),
             velocity=fastest,
             effort=one_effort if joints.single else joints.most_effort,
-            duration_s=stroke_s + back_s + _SETTLE_S,
+            duration_s=stroke_s + before_s + _SETTLE_S,
         )
         self._gripper = gripper
         self._arrived_rad = grip.arrived_rad
@@ -101,7 +105,8 @@ class OpenGripper(_GripperMotion):
 
     def __init__(self, data: RobotData, hand: Hand, keeper: GripKeeper) -> None:
         """Prepare to open."""
-        super().__init__(data, hand, keeper)
+        before_s = 0.0 if keeper.joints.single else _COME_BACK_S
+        super().__init__(data, hand, keeper, before_s=before_s)
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint, or None once the fingers are open."""
@@ -129,11 +134,11 @@ class CloseGripper(_GripperMotion):
         """Next setpoint, or None once the grip stands, empty or not."""
         target = self._gripper.closed_rad
         reading = self._keeper.reading()
-        pressed = self._joints.single or self._stands_at(target)
-        felt = pressed and reading.effort_nm >= _FELT * self._effort_nm
+        stands = self._stands_at(target)
+        felt = (self._joints.single or stands) and reading.effort_nm >= _FELT * self._effort_nm
         # A thin thing meets the pads so late that the closed position never builds up the effort.
-        closed = self._stands_at(target) and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
-        arrived = self._stands_at(target) and abs(self._joints.position(state.q) - target) < self._arrived_rad
+        closed = stands and elapsed_s >= self.bounds.duration_s - 0.5 * _SETTLE_S
+        arrived = stands and abs(self._joints.position(state.q) - target) < self._arrived_rad
         if felt or closed or arrived:
             self._keeper.pressing = True
             return None
