@@ -70,11 +70,32 @@ from tools.evaluate.stopping.stop_suite import run_stop_suite
 from tools.evaluate.summed_suite import DISTURBED_SUITES, JOG_SUITES, run_summed_suite
 from tools.evaluate.survival.survive import SURVIVE
 from tools.evaluate.survival.survive import main as survive
+from tools.evaluate.upon.grips import GRIPS_SUITE, run_grips
 
 _CAMERA_SUITES: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingProxyType(
     {PERCEPTION_SUITE: run_perception, PEOPLE_SEEN_SUITE: run_people_seen, SHOWN_SUITE: run_shown}
 )
 """Pictures are taken and judged, and nothing moves."""
+
+_OWN_WAYS: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingProxyType(
+    {
+        **_CAMERA_SUITES,
+        FUSION_SUITE: run_fusion_suite,
+        GRIPS_SUITE: run_grips,
+        HELD_MASS_SUITE: run_held_mass,
+        "stop": run_stop_suite,
+        "cancel": run_stop_suite,
+        "soak": run_soak,
+        "connection": run_connection,
+        "load": run_load,
+        "mcp": run_mcp,
+        "mcp-fuzz": run_mcp_fuzz,
+        **dict.fromkeys(ROS_SUITES, run_ros_suite),
+        **dict.fromkeys((*DISTURBED_SUITES, *JOG_SUITES), run_summed_suite),
+        **dict.fromkeys(OPENING_SUITES, run_opening_suite),
+    }
+)
+"""Suites that make their own sense of the options."""
 
 _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
     {
@@ -91,6 +112,7 @@ _SUITES_BY_SUBJECT: Mapping[str, Sequence[str]] = MappingProxyType(
         "hours on end": ("soak",),
         "doors and drawers": OPENING_SUITES,
         "skills and walks": tuple(SKILL_SUITES),
+        "hands without arms": (GRIPS_SUITE,),
         "disturbed walks": tuple(DISTURBED_SUITES),
         "a person's hands": tuple(JOG_SUITES),
     }
@@ -177,18 +199,12 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             messages.print(f"error: --fault must be one of {', '.join(BODY_FAULTS)}", style="bold")
             return 2
         return run_fault_suite(options, messages)
-    if options.suite in ("stop", "cancel"):
-        return run_stop_suite(options, messages)
+    if options.suite in _OWN_WAYS:
+        return _OWN_WAYS[options.suite](options, messages)
     if options.suite == "fuzz":
         return run_fuzz(options.episodes, options.seed, options.robot, options.json, messages)
-    if options.suite == FUSION_SUITE:
-        return run_fusion_suite(options, messages)
-    if options.suite == HELD_MASS_SUITE:
-        return run_held_mass(options, messages)
     if options.suite == "hostile":
         return run_hostile(options.episodes, options.seed, options.json, messages)
-    if options.suite in ROS_SUITES:
-        return run_ros_suite(options, messages)
     if options.suite in FRONT_SUITES:
         return run_front_suite(
             options.suite,
@@ -199,26 +215,10 @@ def _run_suite(options: argparse.Namespace, messages: Console) -> int:
             options.json,
             messages,
         )
-    if options.suite in _CAMERA_SUITES:
-        return _CAMERA_SUITES[options.suite](options, messages)
     if options.suite == "digests":
         return run_digests(options.check, options.record, options.jobs, options.every, messages)
-    if options.suite == "soak":
-        return run_soak(options, messages)
     if options.suite == "kill":
         return run_kill(options.episodes, options.seed, options.robot, options.pace, options.json, messages)
-    if options.suite == "connection":
-        return run_connection(options, messages)
-    if options.suite == "mcp":
-        return run_mcp(options, messages)
-    if options.suite == "mcp-fuzz":
-        return run_mcp_fuzz(options, messages)
-    if options.suite == "load":
-        return run_load(options, messages)
-    if options.suite in (*DISTURBED_SUITES, *JOG_SUITES):
-        return run_summed_suite(options, messages)
-    if options.suite in OPENING_SUITES:
-        return run_opening_suite(options, messages)
     faulted = options.suite in FAULTED_SUITES and options.fault in SKILL_FAULTS
     seen = options.suite == "pick" and options.fault in CAMERA_FAULTS
     seeing = "rgbd" if seen else options.perception

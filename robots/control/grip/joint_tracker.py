@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from robots.control.grip.rest_point import braking, rest_point, steered
 
 _SHARE = 0.98
@@ -42,18 +44,21 @@ class JointTracker:
             self.q_rad, self.v_rad_s, self.a_rad_s2, self._period_s, self._acceleration, self._change
         )
 
-    def step_towards(self, target_rad: float) -> None:
+    def step_towards(self, target_rad: float, slowly_rad_s: float = math.inf) -> None:
         """Advance one period; at the target it stays exactly at rest.
 
         It goes beyond the target only where it could not be braked before it, and then comes back.
+
+        Args:
+            target_rad: Where to rest.
+            slowly_rad_s: No faster than this, where that is slower than the limit.
         """
         if abs(target_rad - self.q_rad) < _ARRIVED_RAD and self._may_rest():
             self._rest()
             return
         state = self.q_rad, self.v_rad_s, self.a_rad_s2
-        self._move(
-            steered(target_rad, *state, self._period_s, self._velocity, self._acceleration, self._change)
-        )
+        fastest = min(self._velocity, slowly_rad_s)
+        self._move(steered(target_rad, *state, self._period_s, fastest, self._acceleration, self._change))
 
     def step_to_rest(self) -> None:
         """Advance one period, braking as hard as acceleration and jerk limits let it."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from kinematics.arrays import Array
@@ -16,10 +18,13 @@ _LOOSE = 0.3
 """A setpoint that rests follows a finger that has moved by more than this share of its servo's bend,"""
 _MET = 0.01
 """and one that moves comes as near as this."""
+_CREPT, _CREEPS_RAD_S = 0.4, 0.03
+"""What a finger that has moved by no more than the first, in shares of that bend, is followed with: what is
+pressed creeps, and a setpoint that goes there at once takes its finger along by 5 mrad within 0.1 s."""
 _BACK_RAD = 1e-6
 """Nearer than this to the hand's position a motor is there."""
 
-_State = tuple[tuple[float, float, float], ...]
+_State = tuple[tuple[float, float, float, bool], ...]
 
 
 class SteadyMotors:
@@ -53,7 +58,8 @@ class SteadyMotors:
         self._trackers = tuple(
             JointTracker(0.0, limit.velocity, limit.acceleration, period_s, limit.jerk) for limit in limits
         )
-        self._committed: _State = tuple((0.0, 0.0, 0.0) for _ in names)
+        self._creeps = [False] * len(names)
+        self._committed: _State = tuple((0.0, 0.0, 0.0, False) for _ in names)
         self._proposed = False
         self.shift, self.speed = np.zeros(len(names)), np.zeros(len(names))
         self.moving = self.shifted = False
@@ -77,19 +83,22 @@ class SteadyMotors:
     def commit(self) -> None:
         """What was proposed is what the robot follows now."""
         if self._proposed:
-            self._committed = tuple((one.q_rad, one.v_rad_s, one.a_rad_s2) for one in self._trackers)
+            self._committed = tuple(
+                (one.q_rad, one.v_rad_s, one.a_rad_s2, creeps)
+                for one, creeps in zip(self._trackers, self._creeps, strict=True)
+            )
             self._proposed = False
 
     def revert(self) -> None:
         """Go back to what the robot follows: the rest was refused."""
-        for tracker, state in zip(self._trackers, self._committed, strict=True):
-            tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = state
+        for k, (tracker, state) in enumerate(zip(self._trackers, self._committed, strict=True)):
+            tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2, self._creeps[k] = state
         self._proposed = False
         self._tell()
 
     def halt(self) -> None:
         """Rest at the last shift that the robot follows."""
-        for tracker, (at, _, _) in zip(self._trackers, self._committed, strict=True):
+        for tracker, (at, _, _, _) in zip(self._trackers, self._committed, strict=True):
             tracker.q_rad, tracker.v_rad_s, tracker.a_rad_s2 = at, 0.0, 0.0
         self._proposed = True
         self.commit()
@@ -97,12 +106,15 @@ class SteadyMotors:
 
     def _advance(self, wanted: Array) -> None:
         self._proposed = True
-        for tracker, target, bend in zip(self._trackers, wanted.tolist(), self._bends, strict=True):
-            moving = tracker.moving
-            at = tracker.rest_rad if moving else tracker.q_rad
-            near = _MET if moving else _LOOSE
-            if target == 0.0 or abs(target - at) > near * bend:
-                tracker.step_towards(target)
+        for k, (tracker, target) in enumerate(zip(self._trackers, wanted.tolist(), strict=True)):
+            moving, bend = tracker.moving, self._bends[k]
+            off = abs(target - (tracker.rest_rad if moving else tracker.q_rad))
+            if target == 0.0 or off > _CREPT * bend:
+                self._creeps[k] = False
+            elif not moving:
+                self._creeps[k] = True
+            if target == 0.0 or off > (_MET if moving else _LOOSE) * bend:
+                tracker.step_towards(target, _CREEPS_RAD_S if self._creeps[k] else math.inf)
             else:
                 tracker.step_to_rest()
         self._tell()

@@ -15,7 +15,7 @@ from robots.models.description import load_description
 from robots.scenes.importing.convex import convex_parts, surface_of
 from robots.scenes.importing.outline import fitted
 from tests import foreign_meshes as foreign
-from tests.floating_hand import holds
+from tools.evaluate.upon.floating_hand import holds
 
 
 def thing(mesh, key):

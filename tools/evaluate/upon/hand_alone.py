@@ -56,6 +56,11 @@ def hand_takes(model: RobotModel, hand: Hand, scene: PlanningScene, target: str)
         scene: What is there, with the margins that a hand keeps; the floor included where it counts.
         target: Name of the thing.
     """
+    return next(ways_to_take(model, hand, scene, target), None) is not None
+
+
+def ways_to_take(model: RobotModel, hand: Hand, scene: PlanningScene, target: str) -> Iterator[Array]:
+    """Where the TCP of such a hand could take it, in no order; arguments as of ``hand_takes``."""
     gripper, item = model.description.grippers[hand], scene.objects[target]
     judge = hand_judge(model, hand, scene, target, 0.0)
     own = PlanningScene().with_object(SceneObject("thing", item.shape, item.world_T_object))
@@ -68,11 +73,8 @@ def hand_takes(model: RobotModel, hand: Hand, scene: PlanningScene, target: str)
         free = free[itself.fits_along(free, away)] if len(free) else free
         return [pose for pose in free if _holds(pose, surface, gripper)]
 
-    return any(
-        len(held(_beside(pose))) == len(_WRONG)
-        for poses in _poses_across(surface, gripper)
-        for pose in held(poses)
-    )
+    for poses in _poses_across(surface, gripper):
+        yield from (pose for pose in held(poses) if len(held(_beside(pose))) == len(_WRONG))
 
 
 def _beside(pose: Array) -> Array:

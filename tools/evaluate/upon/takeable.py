@@ -13,12 +13,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from kinematics.arrays import Array
 from kinematics.collision.validity import hand_judge
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.planning.grasps import ABOVE_MIDDLE, NEAR_TOP
+from kinematics.planning.grasps import ABOVE_MIDDLE, NEAR_TOP, OTHER_HEIGHTS
 from kinematics.planning.grasps_of_shapes import any_grasp_table
 from kinematics.planning.pick_task import APPROACH_M
 from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
@@ -66,10 +67,27 @@ class Hands:
         """Whether one of them can take something that stands on a table with nothing beside it."""
         known = item.mesh or item.name
         if known not in self._known:
-            pose = poses.translation(0.0, 0.0, _HIGH_M + 0.5 * item.shape.height_m)
-            scene = self._table.with_object(SceneObject(item.name, item.shape, pose))
-            self._known[known] = self.take(scene, item.name)
+            self._known[known] = self.take(self.alone(item), item.name)
         return self._known[known]
+
+    def alone(self, item: SceneItem) -> PlanningScene:
+        """Something on a table with nothing beside it."""
+        pose = poses.translation(0.0, 0.0, _HIGH_M + 0.5 * item.shape.height_m)
+        return self._table.with_object(SceneObject(item.name, item.shape, pose))
+
+    def ranked(self, hand: Hand, scene: PlanningScene, target: str) -> Array:
+        """Where the planner would have the TCP of a hand without an arm, best first, shape (n, 4, 4).
+
+        Heights that it tries when the usual one fails come after that.
+        """
+        judge = hand_judge(self.model, hand, scene, target, 0.0)
+        advance_m = self.model.description.grippers[hand].closing_advance_m
+        ways = (advance_m, 0.0, -0.5 * APPROACH_M, -APPROACH_M)
+        for heights in ((ABOVE_MIDDLE,), (ABOVE_MIDDLE, *OTHER_HEIGHTS)):
+            table = any_grasp_table(scene.objects[target], self.model, hand, 0.0, APPROACH_M, heights, 0.0)
+            if len(table) and (free := judge.fits_along(table.world_T_tcp, ways)).any():
+                return table.world_T_tcp[free]
+        return np.zeros((0, 4, 4))
 
     def take(self, scene: PlanningScene, target: str) -> bool:
         """Whether one of them can take something among all that is there."""

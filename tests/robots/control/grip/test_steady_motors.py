@@ -68,6 +68,21 @@ def test_a_setpoint_at_rest_meets_little_movement_and_follows_much(hand):
 
 
 @HANDS
+def test_what_creeps_is_followed_slowly_and_what_gives_way_at_once(hand):
+    pressing = Pressing(hand)
+    pressing.press()
+
+    fastest = []
+    for share in (0.35, 1.0):
+        pressing.fingers = pressing.fingers + share * pressing.bends
+        fastest.append(np.abs(pressing.press(3.0)).max())
+        assert pressing.beyond == pytest.approx(0.85, abs=0.011)
+
+    assert fastest[0] < 0.031
+    assert fastest[1] > 1.0
+
+
+@HANDS
 def test_fingers_that_are_closed_press_at_the_end_and_no_farther(hand):
     pressing = Pressing(hand)
     pressing.fingers = pressing.ends

@@ -3,20 +3,29 @@
 import mujoco
 import numpy as np
 
+from kinematics.arrays import Array
+from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import quaternion_from_rotation
 
 FORCE_N = 25.0
 LIFT_M, LIFT_S, HOLD_S = 0.12, 0.6, 1.0
 
 
-def holds(parts, object_T_tcp, opening_m, pads, mass_kg=0.3, friction=0.6):
+def holds(
+    parts: ConvexParts,
+    object_T_tcp: Array,
+    opening_m: float,
+    pads_m: tuple[float, float],
+    mass_kg: float = 0.3,
+    friction: float = 0.6,
+) -> bool:
     """Whether a hand at a pose in the thing's frame lifts it; gravity is along the thing's own -z.
 
     Args:
         parts: What the thing is made of.
         object_T_tcp: Where the hand really is, shape (4, 4).
         opening_m: How far it is open when it begins.
-        pads: Half-sizes of a pad: along the approach, across it, m.
+        pads_m: Half-sizes of a pad: along the approach, across it.
         mass_kg, friction: Of the thing.
     """
     spec = mujoco.MjSpec()
@@ -49,7 +58,7 @@ def holds(parts, object_T_tcp, opening_m, pads, mass_kg=0.3, friction=0.6):
     servo = spec.add_actuator(name="servo", target="lift")
     servo.trntype = mujoco.mjtTrn.mjTRN_JOINT
     servo.set_to_position(kp=20000.0, kv=400.0)
-    along, across = pads
+    along, across = pads_m
     for side in (-1.0, 1.0):
         pad = carrier.add_body(name=f"pad {side}", pos=[0, side * (0.5 * opening_m + 0.008), 0])
         pad.gravcomp = 1.0
