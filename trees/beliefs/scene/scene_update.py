@@ -79,13 +79,13 @@ def updated_scene(
         estimates: What this look saw, in the odometry frame.
         policy: Margins, and how far apart two sightings of one object may be.
         could_be_unseen: Whether a thing could be where it is believed to be without being seen.
-        may_have_moved: Whether one that appears may be one that was elsewhere before; not while the head
-            merely looks around.
+        may_have_moved: Whether one that appears may be one that was seen elsewhere in this task; not while
+            the head merely looks around. What an earlier task has seen may have moved in any case.
         reserved: Names of the robot's parts and of the floor, by which the scene tells what may touch: what
             is called so is numbered from 2 on ("floor 2").
-        before: How things were last seen, by their names. A worse sighting, an unsure one or one that the
-            picture's edge cuts off, of what was well seen says that it is still there, and nothing else; of
-            what was badly seen, a part of a thing as a rule, a good one says what it is.
+        before: How things were last seen in this task, by their names. A worse sighting, an unsure one or one
+            that the picture's edge cuts off, of what was well seen says that it is still there, and nothing
+            else; of what was badly seen, a part of a thing as a rule, a good one says what it is.
     """
     groups: dict[str, list[ObjectEstimate]] = {}
     parts_of: dict[str, list[ObjectEstimate]] = {}
@@ -110,7 +110,7 @@ def updated_scene(
         for name, item in known.items():
             if name in matched:
                 continue
-            moved = bool(strangers) and (may_have_moved or is_name(name))
+            moved = bool(strangers) and (may_have_moved or name not in before or is_name(name))
             there = could_be_unseen(item) or name in parts_of or _place_taken(item, something)
             hidden = not moved and there and not _place_taken(item, seen_now)
             partial = name in before and before[name].cut and _is_part(before[name], seen_now)

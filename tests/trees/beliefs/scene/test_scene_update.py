@@ -315,12 +315,24 @@ def test_a_wide_box_that_is_seen_to_be_elsewhere_within_itself_is_one_box():
 def test_the_other_half_of_a_box_that_is_seen_unsurely_is_no_second_box(confidence, count):
     left = seen("box", "brown", at=(0.54, 0.07, 0.94), shape=Box((0.20, 0.10, 0.07)))
     right = seen("box", "brown", at=(0.54, -0.04, 0.94), shape=Box((0.17, 0.09, 0.07)))
-    before = look(PlanningScene(), replace(left, confidence=0.3)).scene
+    before = look(PlanningScene(), replace(left, confidence=0.3))
 
     half = replace(right, confidence=confidence)
-    scene = look(before, half, unseen=lambda item: True, may_have_moved=False).scene
+    update = updated_scene(before.scene, [half], POLICY, lambda _: True, False, before=before.seen)
 
-    assert len(scene.objects) == count
+    assert len(update.scene.objects) == count
+
+
+@pytest.mark.requirement("P2")
+@pytest.mark.parametrize("task", ["this one", "an earlier one"])
+def test_what_another_task_saw_may_be_what_appears_elsewhere_though_its_place_is_hidden(task):
+    here, there = seen("cup", at=(0.34, 0.26, 0.78)), seen("cup", at=(0.38, 0.33, 0.78))
+    known = look(PlanningScene(), here)
+    before = known.seen if task == "this one" else {}
+
+    update = updated_scene(known.scene, [there], POLICY, lambda _: True, False, before=before)
+
+    assert len(update.scene.objects) == (2 if task == "this one" else 1)
 
 
 def test_boxes_on_top_of_each_other_are_two():
