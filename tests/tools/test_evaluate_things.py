@@ -19,7 +19,8 @@ from tools.evaluate.report import save_scenes
 from tools.evaluate.skills.episode import trial_of
 from tools.evaluate.skills.putting_in import container_of
 from tools.evaluate.skills.summary import SkillSummary
-from tools.evaluate.upon import hand_alone
+from tools.evaluate.upon import grips, hand_alone
+from tools.evaluate.upon.grips import GripOrder, GripSummary, run_grip
 from tools.evaluate.upon.putting_things import is_open_at_the_top
 from tools.evaluate.upon.takeable import Hands, bolted_before, hands_of, why_not_asked_for
 from tools.evaluate.upon.things import _radius_m
@@ -251,3 +252,40 @@ def test_without_a_scene_it_is_refused_with_what_to_say(capsys):
     assert main(["things", "--episodes", "1"]) == 2
 
     assert "the suite things needs a scene: --scene FILE" in capsys.readouterr().err
+
+
+GRIPPED = {"ketchup": (3, True), "dinner plate": (4, False)}
+
+
+@pytest.mark.parametrize(("index", "taken"), GRIPPED.values(), ids=GRIPPED)
+def test_the_first_grasp_of_a_thing_is_tried_or_its_refusal_told(pool, index, taken):
+    (record,) = run_grip(GripOrder(0, index, str(pool), "talos"))
+
+    assert record.error is None
+    assert record.held is record.holdable is taken
+    assert bool(record.found) is taken
+    assert taken or "flatter than this hand's fingers are thick" in record.reason
+    assert not record.faults
+
+
+def test_a_first_grasp_that_slips_counts_where_any_other_holds(pool, monkeypatch):
+    tried = []
+
+    def slips_once(*_):
+        tried.append(None)
+        return len(tried) > 1
+
+    monkeypatch.setattr(grips, "holds", slips_once)
+
+    (record,) = run_grip(GripOrder(0, GRIPPED["ketchup"][0], str(pool), "talos"))
+
+    assert record.faults == ("slipped",)
+    assert [bar.met for bar in GripSummary(0, [record]).bars()] == [False, True, True]
+
+
+@pytest.mark.parametrize(
+    ("robot", "said"), [("talos", "needs a scene"), ("g1", "closes its fingers on a palm")]
+)
+def test_grips_are_refused_with_what_they_need(robot, said, capsys):
+    assert main(["grips", "--robot", robot, "--episodes", "1"]) == 2
+    assert said in capsys.readouterr().err
