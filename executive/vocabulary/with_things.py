@@ -9,10 +9,11 @@ from executive.vocabulary import Reading, Vocabulary, cut, line
 from executive.vocabulary.inflection import plural
 from executive.vocabulary.label_phrases import head_of, label_phrases
 
-_THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "CONTAINER", "FURNITURE", "DOOR")
+_FURNITURE = ("FURNITURE", "FURNITURES", "CONTAINER", "CONTAINERS")
+"""What one piece is called, and several, also where it has an inside."""
+_THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "DOOR", *_FURNITURE)
 """Word classes of things: what one is called, what several are called, and those with ways of their own."""
-_FURNITURE = ("FURNITURE", "FURNITURES")
-"""What one piece is called, and several."""
+_SEVERAL = {"FURNITURE": "FURNITURES", "CONTAINER": "CONTAINERS", "KIND": "KINDS"}
 
 
 def with_things(vocabulary: Vocabulary, words: Sequence[str]) -> Vocabulary:
@@ -67,7 +68,10 @@ def _said_of(vocabulary: Vocabulary, labels: Sequence[str]) -> Iterator[tuple[st
         if head in taken or head in colors or (known and not _is_furniture_else(known, head, kinds)):
             continue
         taken.add(head)
-        yield head, known[0].word_class if known else _THINGS[0], head
+        word_class = known[0].word_class if known else _THINGS[0]
+        yield head, word_class, head
+        if word_class in _SEVERAL and plural(head) not in taken:
+            yield plural(head), _SEVERAL[word_class], head
 
 
 def _first_words_of(vocabulary: Vocabulary, furniture: Mapping[str, str]) -> Iterator[str]:

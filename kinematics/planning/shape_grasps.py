@@ -262,6 +262,7 @@ def _judged(poses: Array, points: Array, normals: Array, gripper: GripperDescrip
     """Keep the poses at which the thing is between the pads."""
     half_long = max(half[2] for half in gripper.pad_half_size_m)
     across = gripper.fingers_half_width_m
+    narrow_m = min(half[0] for half in gripper.pad_half_size_m)
     open_m, found = 0.5 * gripper.max_opening_m - SPARE_OPENING_M, []
     for over_m in (0.0, min(_OVERLAP_M, _OVERLAP_SHARE * half_long)):
         for row, pose in enumerate(poses):
@@ -269,14 +270,22 @@ def _judged(poses: Array, points: Array, normals: Array, gripper: GripperDescrip
             place[:3, 3] -= over_m * pose[:3, 0]
             x, y, z = ((points - place[:3, 3]) @ place[:3, :3]).T
             # what is beyond the open fingers is not between them: the other side of a mug whose wall is
-            pads = (np.abs(x) <= half_long) & (np.abs(z) <= across) & (np.abs(y) <= open_m)
+            beside = (np.abs(x) <= half_long) & (np.abs(z) <= across)
+            pads = beside & (np.abs(y) <= open_m)
             if not pads.any():
                 continue
             low, high = float(y[pads].min()), float(y[pads].max())
             opening, shift = high - low, 0.5 * (low + high)
             if not gripper.least_felt_m <= opening <= widest:
                 continue
+            # one side may be a single finger, which has to meet what the other side's outermost one meets
+            middle = y[pads & (np.abs(z) <= narrow_m)]
+            if not len(middle) or middle.min() > low + _TOUCH_M or middle.max() < high - _TOUCH_M:
+                continue
             y = y - shift
+            # what is cut off by the open fingers' ends may be what is between them once they are centred
+            if np.ptp(y[beside & (np.abs(y) <= 0.5 * opening + SPARE_OPENING_M)]) > opening + _THINNEST_M:
+                continue
             slant = _facing(x, y, z, normals @ place[:3, 1], pads, 0.5 * opening)
             if slant is None:
                 continue

@@ -61,6 +61,32 @@ def test_furniture_of_which_the_place_tells_more_keeps_its_short_name():
     assert task["on"] == "counter"
 
 
+@pytest.mark.parametrize(
+    ("things", "said", "kind"),
+    [
+        (("wooden cabinet",), "open the top drawer of the cabinet", "cabinet"),
+        (("wine rack",), "put the cup on the rack", "rack"),
+        (("wooden cabinet", "wine rack"), "put the cup on the top of the cabinet", "cabinet"),
+        (("wooden cabinet",), "put the cup on the rack", "shelf"),
+        ((), "put the cup in the cabinet", "cupboard"),
+    ],
+)
+def test_furniture_that_ends_on_a_word_is_what_that_word_means_there(things, said, kind):
+    with words_of_the_place(things):
+        (task,) = parse(said).to_json()["tasks"]
+
+    where = task.get("on") or task.get("to") or task["object"]["relation"]["to"]
+    assert where == kind
+
+
+@pytest.mark.parametrize(("things", "kind"), [(("wooden cabinet",), "cabinet"), ((), "cupboard")])
+def test_so_are_several_of_them(things, kind):
+    with words_of_the_place(things):
+        (command,) = parse("how many cabinets are there").commands
+
+    assert command.object.kind == kind
+
+
 PEOPLE = ("Will", "R2D2", "Mary-Jane", "Doctor Who", "Ana", "Bo", "kwnd")
 
 

@@ -59,22 +59,31 @@ def hand_takes(model: RobotModel, hand: Hand, scene: PlanningScene, target: str)
     return next(ways_to_take(model, hand, scene, target), None) is not None
 
 
-def ways_to_take(model: RobotModel, hand: Hand, scene: PlanningScene, target: str) -> Iterator[Array]:
-    """Where the TCP of such a hand could take it, in no order; arguments as of ``hand_takes``."""
+def ways_to_take(
+    model: RobotModel, hand: Hand, scene: PlanningScene, target: str, spare_m: float = SPARE_M
+) -> Iterator[Array]:
+    """Where the TCP of such a hand could take it, in no order; other arguments as of ``hand_takes``.
+
+    Args:
+        spare_m: Free on each side of the thing; with less than the usual nothing is asked of what is beside.
+    """
     gripper, item = model.description.grippers[hand], scene.objects[target]
     judge = hand_judge(model, hand, scene, target, 0.0)
     own = PlanningScene().with_object(SceneObject("thing", item.shape, item.world_T_object))
-    itself = hand_judge(model, hand, own, "", SPARE_M)
+    itself = hand_judge(model, hand, own, "", spare_m)
     surface = surface_of_thing(item)
     away = np.linspace(0.0, -_OFF_M, _STEPS).tolist()
 
     def held(poses: Array) -> list[Array]:
         free = poses[judge.fits_along(poses, [gripper.closing_advance_m, *away])]
         free = free[itself.fits_along(free, away)] if len(free) else free
-        return [pose for pose in free if _holds(pose, surface, gripper)]
+        return [pose for pose in free if _holds(pose, surface, gripper, spare_m)]
 
-    for poses in _poses_across(surface, gripper):
-        yield from (pose for pose in held(poses) if len(held(_beside(pose))) == len(_WRONG))
+    def sure(pose: Array) -> bool:
+        return spare_m < SPARE_M or len(held(_beside(pose))) == len(_WRONG)
+
+    for poses in _poses_across(surface, gripper, spare_m):
+        yield from filter(sure, held(poses))
 
 
 def _beside(pose: Array) -> Array:
@@ -117,12 +126,12 @@ def _of_outline(shape: Shape) -> tuple[Array, Array]:
     return points, normals
 
 
-def _poses_across(surface: _Surface, gripper: GripperDescription) -> Iterator[Array]:
+def _poses_across(surface: _Surface, gripper: GripperDescription, spare_m: float) -> Iterator[Array]:
     """Poses of the TCP, many at a time, shape (n, 4, 4): at each line across, turned and moved along x."""
     points, normals = surface
     apart, worst = facing_sides(points, normals, points, normals)
     length = np.linalg.norm(apart, axis=2) + 1e-12
-    widest, least = gripper.max_opening_m - 2.0 * SPARE_M, gripper.least_felt_m
+    widest, least = gripper.max_opening_m - 2.0 * spare_m, gripper.least_felt_m
     facing = (worst >= math.cos(CONE_RAD)) & (length >= least) & (length <= widest)
     first, second = np.nonzero(facing)
     chosen = np.random.default_rng(0).permutation(len(first))[:_MOST_LINES]
@@ -154,7 +163,7 @@ def _turned(middle: Array, y: Array, depths: Array) -> Array:
     return poses.reshape(-1, 4, 4)
 
 
-def _holds(pose: Array, surface: _Surface, gripper: GripperDescription) -> bool:
+def _holds(pose: Array, surface: _Surface, gripper: GripperDescription, spare_m: float) -> bool:
     """Whether pads that close there press on two sides that face each other, not too near nor too far."""
     half_long = max(half[2] for half in gripper.pad_half_size_m)
     x, y, z = ((surface.points - pose[:3, 3]) @ pose[:3, :3]).T
@@ -163,7 +172,7 @@ def _holds(pose: Array, surface: _Surface, gripper: GripperDescription) -> bool:
     if not between.any():
         return False
     low, high = float(y[between].min()), float(y[between].max())
-    if not gripper.least_felt_m <= high - low <= gripper.max_opening_m - 2.0 * SPARE_M:
+    if not gripper.least_felt_m <= high - low <= gripper.max_opening_m - 2.0 * spare_m:
         return False
     along = surface.normals @ pose[:3, 1]
     for end, sign in ((low, -1.0), (high, 1.0)):
