@@ -36,8 +36,7 @@ from tools.evaluate.upon.takeable import hands_of
 GRIPS_SUITE = "grips"
 HELD_BAR, RANKED_BAR_MS = 0.93, 150.0
 _WRONG_M, _WRONG_RAD = 0.005, math.radians(3.0)
-_SPARE_M = 0.001
-"""Of the exhaustive search on each side: it knows where the thing is."""
+"""The exhaustive search leaves as much free on each side: with less the hand would come down on the thing."""
 _TRIED = 40
 """Of what the exhaustive search finds, at most: a thing of which they all slip is none to be held."""
 _SPREAD = 25
@@ -216,9 +215,9 @@ def _tried(order: GripOrder) -> GripRecord:
 
     held = len(found) > 0 and lifts(found[0] @ wrong)
     # what follows each other is alike: the search is long, and not all of it is tried
-    ways = ways_to_take(hands.model, hand, scene, item.name, _SPARE_M)
+    ways = ways_to_take(hands.model, hand, scene, item.name, _WRONG_M)
     some = itertools.islice(ways, 0, _TRIED * _SPREAD, _SPREAD)
-    holdable = held or any(lifts(pose) for pose in some)
+    holdable = held or any(lifts(pose @ wrong) for pose in some)
     reason = "" if len(found) else no_grasp_reason(there, hands.model, hand) or ""
     return GripRecord(order.seed, order.index, item.name, len(found), held, holdable, ranked_ms, reason)
 
