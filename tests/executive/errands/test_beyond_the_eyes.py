@@ -68,3 +68,10 @@ def test_without_eyes_that_is_the_reason():
 
     assert found.message == "the robot has no eyes here to find a cup by"
     assert impossible(parse("wait for 2 seconds").commands, (), frozenset()) is None
+
+
+@pytest.mark.parametrize("said", ["open the microwave", "close the microwave", "open the door of the fridge"])
+def test_what_nobody_opens_is_told_before_anything_moves(said):
+    told = why(said, LABELS | {"microwave"})
+
+    assert told == ("a microwave is nothing that I can open or close" if "microwave" in said else None)

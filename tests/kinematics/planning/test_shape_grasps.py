@@ -14,8 +14,8 @@ from kinematics.scene.planning_scene import SceneObject
 from robots.models.description import load_description
 from robots.scenes.importing.convex import convex_parts, surface_of
 from robots.scenes.importing.outline import fitted
+from robots.simulated.floating_hand import holds
 from tests import foreign_meshes as foreign
-from tools.evaluate.upon.floating_hand import holds
 
 
 def thing(mesh, key):

@@ -26,10 +26,10 @@ from kinematics.model.robot_description import GripperDescription
 from kinematics.planning.grasps_of_shapes import no_grasp_reason
 from robots.models.description import load_description
 from robots.scenes.scene_file import load_scene
+from robots.simulated.floating_hand import holds
 from tools.evaluate.harness.statistics import interval, share_text
 from tools.evaluate.record_suite import run_record_suite
 from tools.evaluate.records import Bar
-from tools.evaluate.upon.floating_hand import holds
 from tools.evaluate.upon.hand_alone import ways_to_take
 from tools.evaluate.upon.takeable import hands_of
 

@@ -11,8 +11,8 @@ from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.articles import with_article
-from trees.beliefs.openings.handles import HandleTarget, handles_in, same_front
-from trees.beliefs.scene.scene_update import kind_of
+from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, same_front
+from trees.beliefs.scene.scene_update import kind_of, words_for
 from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -64,7 +64,10 @@ class DetectHandle(LookLeaf):
             return Failure.infeasible(f"{with_article(noun)} is nothing that I can open or close")
         fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
         if not fitting:
-            return Failure.postcondition(f"no handle of a {noun or 'door or drawer'} seen")
+            what = noun or "door or drawer"
+            if (owner := _opens_nothing(wanted, update.seen)) is not None:
+                return Failure.infeasible(f"the {owner} has no {what} that I can open or close")
+            return Failure.postcondition(f"no handle of a {what} seen")
         named = wanted.name if isinstance(wanted, ObjectDescription) else None
         chosen = before.objects.get(named) if named is not None else None
         known: HandleTarget | None = self.optional("known")
@@ -91,6 +94,17 @@ class DetectHandle(LookLeaf):
         """How far a part is from where something was known to be."""
         part = self.toolbox.world.scene.objects[item.part]
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
+
+
+def _opens_nothing(wanted: object, seen: Mapping[str, ObjectEstimate]) -> str | None:
+    """The furniture that a look shows, in which it is said to be, where it is none that opens; else None."""
+    relation = wanted.relation if isinstance(wanted, ObjectDescription) else None
+    if relation is None or relation.kind != "in":
+        return None
+    called = str(relation.to)
+    shown = (one for one in seen.values() if one.category == "furniture" and one.kind not in BODY_OF.values())
+    names = {words_for(one) for one in shown}
+    return next((name for name in sorted(names) if called in (name, name.rpartition(" ")[2])), None)
 
 
 class DetectFront(DetectHandle):

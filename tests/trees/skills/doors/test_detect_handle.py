@@ -5,29 +5,33 @@ from dataclasses import replace
 import pytest
 from py_trees.common import Status
 
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
 from robots.fake.fake_world import cup
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene
+from trees.failures import FailureKind
 from trees.skills.doors.choose_handle import ChooseHandle
 from trees.skills.doors.detect_handle import DetectHandle
 from trees.tasks import ObjectDescription, OpenTask, Relation
 
 LEFT_M, RIGHT_M = 0.45, -0.35
+CABINET_POSE = poses.translation(1.0, -0.3, 0.9)
 
 
 def chest(y_m):
     """What the truth has of a chest of drawers that stands so far to the left, its drawer shut."""
     piece = replace(load_scene("drawers").furniture[0], position_m=(1.1, y_m))
     part = floor_pose(piece) @ furniture_T_part(piece) @ opened(piece, 0.0)
-    poses = [(piece.kind, solid.shape, solid.world_T_solid) for solid in solids(piece)]
-    poses += [
+    parts = [(piece.kind, solid.shape, solid.world_T_solid) for solid in solids(piece)]
+    parts += [
         (solid.kind, solid.shape, part @ solid.part_T_solid) for solid in moving_solids(piece) if solid.kind
     ]
     return [
         TrueObject(f"{kind} {i} at {y_m}", "furniture", kind, None, shape, pose)
-        for i, (kind, shape, pose) in enumerate(poses)
+        for i, (kind, shape, pose) in enumerate(parts)
     ]
 
 
@@ -139,3 +143,22 @@ def test_whose_drawer_it_is_does_not_contradict_its_kind(stage_with):
     _, status = detect(stage_with(*chest(LEFT_M)), ObjectDescription("drawer", name="Ana's drawer"))
 
     assert status is Status.SUCCESS
+
+
+def test_what_is_in_furniture_that_has_none_is_told_and_not_looked_for_elsewhere(stage_with):
+    cabinet = TrueObject("wooden cabinet", "furniture", "fixture", None, Box((0.3, 0.4, 0.3)), CABINET_POSE)
+    stage = stage_with(cup(place_m=(1.0, 0.05)), cabinet)
+
+    said = ObjectDescription("drawer", relation=Relation("in", "cabinet"))
+    leaf, _ = detect(stage, said)
+
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert leaf.failure.message == "the wooden cabinet has no drawer that I can open or close"
+
+
+def test_a_drawer_of_something_that_is_not_seen_may_be_elsewhere(stage_with):
+    stage = stage_with(cup(place_m=(1.0, 0.05)))
+
+    leaf, _ = detect(stage, ObjectDescription("drawer", relation=Relation("in", "cabinet")))
+
+    assert leaf.failure.message == "no handle of a drawer seen"
