@@ -232,7 +232,9 @@ def _surface(
     kinds = _kinds(named, scene)
     tops = [item for kind in kinds for item in furniture_named(kind, scene)[:1] if is_flat(item)]
     if not tops:
-        what = f"no {named}" if named is not None else "nothing to put it on"
+        there = any(furniture_named(kind, scene) for kind in kinds)
+        top = "no flat top of the" if there else "no"
+        what = f"{top} {named}" if named is not None else "nothing to put it on"
         return Failure.postcondition(f"{what} seen", seen=kinds_in(scene.objects)).because(Reason.NOT_SEEN)
     return min(tops, key=lambda item: (wish(item.world_T_object[:3, 3]), item.name))
 

@@ -11,7 +11,9 @@ from kinematics.scene.support_of import support_of, supports_of
 from robots.fake.fake_world import cup, table
 from robots.perception.truth_view import TrueObject
 from tests.trees.household_stage import run
+from trees.beliefs.scene.believed_thing import Surroundings
 from trees.skills.place.on_things import spots_on_thing, why_not_on
+from trees.skills.place.placement import why_not_there
 from trees.tasks import ObjectDescription, PickTask, PlaceTask
 
 RED_CUP = ObjectDescription("cup", "red")
@@ -109,3 +111,23 @@ def test_a_cup_is_put_on_a_box_and_taken_off_it_again(stage_with):
     again = run(stage, PickTask("pick up the cup", RED_CUP))
 
     assert again.status == "success", again.failure
+
+
+@pytest.mark.parametrize(
+    ("high_m", "told"), [(0.09, "no flat top of the wine rack seen"), (0.02, None)], ids=["high", "flat"]
+)
+def test_furniture_that_is_seen_and_has_no_flat_top_is_not_told_to_be_unseen(high_m, told):
+    rack = SceneObject(
+        "wine rack", Box((0.27, 0.14, high_m)), poses.translation(0.6, 0.3, 1.1), movable=False
+    )
+    scene = PlanningScene().with_objects([TABLE, rack])
+
+    failure = why_not_there("wine rack", None, scene, Surroundings(()), 0.02)
+
+    assert (failure.message if failure else None) == told
+
+
+def test_furniture_that_is_not_seen_is_told_to_be_unseen():
+    scene = PlanningScene().with_objects([TABLE])
+
+    assert why_not_there("wine rack", None, scene, Surroundings(()), 0.02).message == "no wine rack seen"
