@@ -13,6 +13,7 @@ from robots.scenes.furniture_names import kind_called
 from robots.scenes.scene_words import OBJECT_KINDS
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
+from trees.beliefs.openings.handles import INSIDE_KINDS
 from trees.beliefs.scene.labels import can_be_told
 from trees.tasks import ObjectDescription
 
@@ -21,7 +22,9 @@ THINGS = frozenset({"KIND", "SUBSTANCE", "PAIR", "CONTAINER", "DOOR", "FURNITURE
 """Classes of words that name what perception may tell."""
 _NO_THINGS = frozenset({"PERSON", "NAME", "ROOM"})
 _MOST_TOLD = 12
-_ANYWHERE = frozenset({*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS})
+_SAID_AS = {"drawers": "chest of drawers"}
+"""What people call what perception tells."""
+_ANYWHERE = frozenset({*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *_SAID_AS.values()})
 """What perception can tell in every place."""
 
 
@@ -54,8 +57,9 @@ def is_told(word: str, labels: Collection[str] | None) -> bool:
 
 def what_can_be_found(word: str, labels: Collection[str]) -> str:
     """What perception can tell instead of a word: the most alike first, then what is of the place alone."""
-    near = difflib.get_close_matches(word, sorted(labels), n=2, cutoff=0.6)
-    known = sorted(labels, key=lambda label: (label in _ANYWHERE, label))
+    said = {_SAID_AS.get(label, label) for label in labels if label not in INSIDE_KINDS}
+    near = difflib.get_close_matches(word, sorted(said), n=2, cutoff=0.6)
+    known = sorted(said, key=lambda label: (label in _ANYWHERE, label))
     told = [*near, *(label for label in known if label not in near)]
     more = [] if len(told) <= _MOST_TOLD else [f"{len(told) - _MOST_TOLD} more"]
     return listed([*map(with_article, told[:_MOST_TOLD]), *more])

@@ -75,3 +75,12 @@ def test_what_nobody_opens_is_told_before_anything_moves(said):
     told = why(said, LABELS | {"microwave"})
 
     assert told == ("a microwave is nothing that I can open or close" if "microwave" in said else None)
+
+
+def test_what_can_be_found_is_told_as_people_call_it():
+    told = why("find the sofa", LABELS | {"drawers", "drawer bottom", "drawer wall"})
+
+    assert "a chest of drawers" in told
+    assert "a drawers" not in told
+    assert "drawer bottom" not in told
+    assert "drawer wall" not in told
