@@ -83,6 +83,11 @@ def never(_task: Any) -> bool:
     return False
 
 
+def nothing(_task: Any) -> str:
+    """Nothing speaks against it, whatever it says."""
+    return ""
+
+
 def no_longer(_task: Any) -> float:
     """What a task lasts of which nobody says how long."""
     return 0.0
@@ -125,6 +130,7 @@ class Skill:
         goes_away: Whether the robot may be elsewhere afterwards, where "me" and "here" mean something else.
         strays: Whether a task leads the robot away to no place that anything is known of: what was at hand
             is not at hand afterwards either.
+        refuses: Says what in a task's words nobody could do, whatever is seen; empty where there is nothing.
     """
 
     task: type[Any]
@@ -144,6 +150,7 @@ class Skill:
     lasts_s: Callable[[Any], float] = no_longer
     goes_away: bool = False
     strays: Callable[[Any], bool] = never
+    refuses: Callable[[Any], str] = nothing
 
     @property
     def action(self) -> str:

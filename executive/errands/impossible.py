@@ -12,10 +12,9 @@ from executive.understanding.canonical_words import vocabulary
 from kinematics.model.robot_description import RobotDescription
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.report_words import listed
-from trees.beliefs.openings.handles import MEANT_BY
 from trees.readiness import lacking
 from trees.registry import skill_of
-from trees.tasks import Bringing, CloseTask, ObjectDescription, OpenTask
+from trees.tasks import Bringing, ObjectDescription
 from trees.toolbox import Toolbox
 
 
@@ -118,16 +117,14 @@ def impossible(
             return Impossible(command, f"the robot has no eyes here to find {with_article(word)} by", word)
         known = f"I do not know what {with_article(word)} looks like; I can find"
         return Impossible(command, f"{known} {what_can_be_found(word, labels)}", word)
-    return next(filter(None, map(_does_not_open, commands)), None)
+    return next(filter(None, map(_refused, commands)), None)
 
 
-def _does_not_open(command: Command) -> Impossible | None:
-    """That a command opens or closes what is neither door nor drawer, nor has one that this robot knows."""
-    wanted = command.object if isinstance(command, OpenTask | CloseTask) else None
-    kind = wanted.kind if isinstance(wanted, ObjectDescription) else None
-    if kind is None or kind in MEANT_BY:
-        return None
-    return Impossible(command, f"{with_article(kind)} is nothing that I can open or close", kind)
+def _refused(command: Command) -> Impossible | None:
+    """What its skill says that nobody could do."""
+    skill = skill_of(command)
+    told = "" if skill is None else skill.refuses(command)
+    return Impossible(command, told, command.action) if told else None
 
 
 def _places(command: Bringing) -> list[object]:

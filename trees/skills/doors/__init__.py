@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from trees.beliefs.grounding.articles import with_article
 from trees.skill import After, Need, Skill, Written
-from trees.tasks import CloseTask, OpenTask
+from trees.tasks import CloseTask, ObjectDescription, OpenTask
 
 if TYPE_CHECKING:
     from py_trees.behaviour import Behaviour
@@ -36,6 +37,16 @@ def _about(written: Written) -> str | None:
     return str(handle.part) if handle.kind == DRAWER else BODY_OF[handle.kind]
 
 
+def _refuses(task: OpenTask | CloseTask) -> str:
+    """That what is named is neither a door nor a drawer, nor has one that this robot knows."""
+    from trees.beliefs.openings.handles import MEANT_BY
+
+    kind = task.object.kind if isinstance(task.object, ObjectDescription) else None
+    if kind is None or kind in MEANT_BY:
+        return ""
+    return f"{with_article(kind)} is nothing that I can open or close"
+
+
 SKILLS = (
     Skill(
         task=OpenTask,
@@ -45,6 +56,7 @@ SKILLS = (
         after=frozenset({After.THING_OPEN}),
         about=_about,
         goes_away=True,
+        refuses=_refuses,
     ),
     Skill(
         task=CloseTask,
@@ -53,5 +65,6 @@ SKILLS = (
         needs=frozenset({Need.HAND, Need.BARS}),
         about=_about,
         goes_away=True,
+        refuses=_refuses,
     ),
 )
