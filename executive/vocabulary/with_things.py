@@ -14,6 +14,7 @@ _FURNITURE = ("FURNITURE", "FURNITURES", "CONTAINER", "CONTAINERS")
 _THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "DOOR", *_FURNITURE)
 """Word classes of things: what one is called, what several are called, and those with ways of their own."""
 _SEVERAL = {"FURNITURE": "FURNITURES", "CONTAINER": "CONTAINERS", "KIND": "KINDS"}
+"""The class of what several are called, by that of one."""
 
 
 def with_things(vocabulary: Vocabulary, words: Sequence[str]) -> Vocabulary:

@@ -269,8 +269,8 @@ def _judged(poses: Array, points: Array, normals: Array, gripper: GripperDescrip
             place = pose.copy()
             place[:3, 3] -= over_m * pose[:3, 0]
             x, y, z = ((points - place[:3, 3]) @ place[:3, :3]).T
-            # what is beyond the open fingers is not between them: the other side of a mug whose wall is
             beside = (np.abs(x) <= half_long) & (np.abs(z) <= across)
+            # what is beyond the open fingers is not between them: the other side of a mug whose wall is
             pads = beside & (np.abs(y) <= open_m)
             if not pads.any():
                 continue

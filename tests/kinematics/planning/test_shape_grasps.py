@@ -83,6 +83,22 @@ def test_what_is_between_the_pads_has_the_width_that_is_told_and_its_sides_face_
         assert pose[2, 0] < 0.1  # never from below
 
 
+@pytest.mark.parametrize("height", [0.12, 0.16, 0.22])
+def test_a_single_finger_meets_what_the_outer_two_of_the_other_side_meet(height, gripper, talos):
+    parts = thing(foreign.bottle(0.023, height), f"slim bottle {height}").parts
+    half_long, narrow = 0.029, min(half[0] for half in gripper.pad_half_size_m)
+
+    found = shape_grasps(parts, talos, "right", np.eye(4))
+
+    assert len(found.cost)
+    for pose in found.object_T_tcp:
+        x, y, z = ((parts.surface - pose[:3, 3]) @ pose[:3, :3]).T
+        between = (np.abs(x) < half_long) & (np.abs(z) < gripper.fingers_half_width_m)
+        middle = y[between & (np.abs(z) < narrow)]
+        assert middle.min() < y[between].min() + 0.004
+        assert middle.max() > y[between].max() - 0.004
+
+
 def test_a_thing_held_beside_its_middle_is_told_to_be_off_centre(talos):
     # a flag on a pole, which alone is between the pads
     pole, flag = foreign.carton((0.04, 0.04, 0.2)), foreign.carton((0.09, 0.1, 0.03))
