@@ -265,7 +265,7 @@ class PickTask(PlanningTask):
         if back is None:
             return "no straight approach"
         if not self.stays_up(first.q, back[-1]):
-            return "too low or too heavy for the legs"
+            return "too low, too far over or too heavy for the legs"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
         points = self.looking(self.space.from_many(back[::-1]), gaze)
         if not self.planner.is_free(points[0]):

@@ -6,6 +6,7 @@ Planners of several steps derive their problems from it; those of one step use i
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from typing import TypeVar
@@ -42,6 +43,8 @@ BORNE_SHARE = 0.95
 """Of what a motor gives, what a plan may take of it: other loads of the feet take the rest."""
 CROUCHED_SHARE = 0.72
 """Of the base's height at home; below 0.7 it has fallen."""
+LEANING_RAD = 0.65
+"""Of the base; beyond 0.7 it is falling."""
 _EVERY = 8
 """Samples of a motion between two looks at its efforts; the checker looks at all."""
 _ROUNDING_M = 1e-3
@@ -136,7 +139,9 @@ class PlanningTask:
         """Whether the motors hold configurations, shape (nq,) each, and none is taken for a fall."""
         dynamics, most = self.robot.derived(StandingDynamics), BORNE_SHARE * self._model.effort
         return all(
-            bool(q[2] >= self.lowest_m - _ROUNDING_M and np.all(np.abs(dynamics.holding_efforts(q)) <= most))
+            q[2] >= self.lowest_m - _ROUNDING_M
+            and 1.0 - 2.0 * (q[3] ** 2 + q[4] ** 2) >= math.cos(LEANING_RAD)
+            and bool(np.all(np.abs(dynamics.holding_efforts(q)) <= most))
             for q in configurations
         )
 

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from kinematics.dynamics.standing_dynamics import StandingDynamics
 from kinematics.motion.curves import PolynomialCurve
 from kinematics.planning.planning_task import REACH_PACE, PlanningTask
 from kinematics.requests.pick import PickRequest
@@ -29,6 +30,18 @@ def test_a_step_that_the_legs_cannot_follow_is_none(talos, stance, tabletop):
     up[2] += 0.5
 
     assert task.step("rise", PolynomialCurve(np.stack([task.x_start, up])), REACH_PACE) is None
+
+
+@pytest.mark.parametrize(("axis", "angle_rad", "stays"), [(0, 0.6, True), (0, 0.7, False), (1, -0.7, False)])
+def test_what_leans_so_far_that_it_is_taken_for_a_fall_does_not_stay_up(
+    axis, angle_rad, stays, talos, stance, tabletop, monkeypatch
+):
+    task = PlanningTask(talos, PickRequest(talos.q_home, stance, tabletop, "cup"), 0.0)
+    monkeypatch.setattr(StandingDynamics, "holding_efforts", lambda _self, _q: 0.0 * talos.effort)
+    q = talos.q_home.copy()
+    q[3:7] = np.sin(0.5 * angle_rad) * np.eye(4)[axis] + np.cos(0.5 * angle_rad) * np.eye(4)[3]
+
+    assert task.stays_up(q) is stays
 
 
 def test_a_step_is_judged_in_the_scene_that_was_asked_about(talos, stance, tabletop):
