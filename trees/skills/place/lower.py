@@ -12,7 +12,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.scene.support_of import top_m
+from kinematics.scene.support_of import top_m, under_foot_of
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -127,6 +127,19 @@ class Lower(MotionLeaf):
         return DONE
 
 
+def with_what_carries(names: Iterable[str], scene: PlanningScene) -> tuple[str, ...]:
+    """What is put down on, and what that stands on: over a thin board the table is nearer than its margin.
+
+    Args:
+        names: What may be touched.
+        scene: What is believed to be around.
+    """
+    touched = tuple(names)
+    things = (scene.objects[name] for name in touched if name in scene.objects)
+    below = (one for thing in things if thing.movable for one in under_foot_of(thing, scene))
+    return tuple(dict.fromkeys((*touched, *below)))
+
+
 class LowerFurther(PlannedMotionLeaf):
     """Go down a little farther if the hand has not felt anything yet.
 
@@ -170,7 +183,10 @@ class LowerFurther(PlannedMotionLeaf):
             hand=held.hand,
             world_offset_m=(0.0, 0.0, -toolbox.policy.of(PlaceSettings).further_m),
             concessions=touching(
-                [held.name], placement.touches, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"
+                [held.name],
+                with_what_carries(placement.touches, toolbox.world.scene),
+                ConcessionReason.SUPPORT_OF_HELD_OBJECT,
+                "retreat",
             ),
         )
 
