@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinematics.arrays import Array
+from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.scene.free_spots import footprint_radius_m
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
@@ -12,6 +14,9 @@ from kinematics.scene.planning_scene import PlanningScene, SceneObject
 TOUCHING_M = 0.03
 # Its middle may be this far beyond the edge of what carries it.
 BESIDE_M = 0.02
+# How large a place is where it is asked what is below it, and what plans keep beyond margins, at most.
+_SPOT_M = (0.02, 0.02, 0.002)
+_KEPT_BEYOND_M = 0.005
 
 
 def lowest_point_m(item: SceneObject) -> float:
@@ -66,6 +71,22 @@ def under_foot_of(item: SceneObject, scene: PlanningScene) -> list[str]:
         scene: What is around.
     """
     return supports_of(item, scene, beside_m=BESIDE_M + footprint_radius_m(item.shape))
+
+
+def furniture_right_below(place_m: Array, scene: PlanningScene) -> list[str]:
+    """Names of the furniture that a place is nearer to than what is kept from that.
+
+    What stands there may come so near to it: a burner is a part of a stove's top, and a plate is thin.
+
+    Args:
+        place_m: On top of something, m, shape (3,).
+        scene: What is around.
+    """
+    fixed = [item for item in scene.objects.values() if not item.movable]
+    gap_m = max((item.margin_m for item in fixed), default=0.0) + _KEPT_BEYOND_M
+    x, y, z = place_m.tolist()
+    spot = SceneObject("", Box(_SPOT_M), poses.translation(x, y, z + 0.5 * _SPOT_M[2]))
+    return supports_of(spot, PlanningScene().with_objects(fixed), gap_m)
 
 
 def support_of(item: SceneObject, scene: PlanningScene, gap_m: float) -> SceneObject | None:

@@ -15,7 +15,7 @@ from kinematics.geometry.shapes import Box, Shape
 from kinematics.requests.place import Spot
 from kinematics.scene.free_spots import FreeSpot, footprint_radius_m, spots_beside, spots_on
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from kinematics.scene.support_of import support_of
+from kinematics.scene.support_of import furniture_right_below, support_of
 from robots.scenes.furniture_names import kind_called
 from robots.scenes.meshes.up_axis import upright
 from trees.beliefs.grounding.destination import furniture_named
@@ -103,7 +103,7 @@ def spots_for(
     if not spots:
         where = f"on the {kind_of(top.name)}" if relation is None else str(relation)
         return _no_spot(where, held)
-    return tuple(_resting(held, spot, top) for spot in spots)
+    return tuple(_resting(held, spot, top, scene) for spot in spots)
 
 
 def _on_thing(
@@ -121,7 +121,7 @@ def _on_thing(
     spots = spots_on_thing(thing, held.shape, scene, wish, shown)
     if isinstance(spots, Failure):
         return spots
-    resting = tuple(_resting(held, spot, thing) for spot in spots)
+    resting = tuple(_resting(held, spot, thing, scene) for spot in spots)
     return resting or _no_spot(f"on the {kind_of(thing.name)}", held)
 
 
@@ -332,7 +332,7 @@ def _back(
     near = [spot for spot in spots if away_m(spot.place_m) <= _BACK_WITHIN_M]
     if not near:
         return Failure.infeasible(f"there is no room where the {held.name} was, as far as was seen")
-    return tuple(_resting(held, spot, top) for spot in near)
+    return tuple(_resting(held, spot, top, scene) for spot in near)
 
 
 def not_taken(thing: object) -> Failure:
@@ -380,11 +380,12 @@ def _comfort(held: HeldObject, odom_T_base: Transform) -> Callable[[Array], floa
     return wish
 
 
-def _resting(held: HeldObject, spot: FreeSpot, top: SceneObject) -> Spot:
+def _resting(held: HeldObject, spot: FreeSpot, top: SceneObject, scene: PlanningScene) -> Spot:
     """The pose of an object that stands upright on a spot; of any shape, as its hull rests there."""
     turn, height_m = how_it_stands(held.shape)
     place = spot.place_m + np.array([0.0, 0.0, height_m])
-    return Spot(poses.transform(turn, place), (top.name,))
+    below = [name for name in furniture_right_below(spot.place_m, scene) if name != top.name]
+    return Spot(poses.transform(turn, place), (top.name, *below))
 
 
 def how_it_stands(shape: Shape) -> tuple[Array, float]:

@@ -4,9 +4,10 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
+from kinematics.requests.place import PlaceRequest
 from robots.fake.fake_world import cup, table
 from robots.perception.truth_view import TrueObject
-from tests.trees.household_stage import run
+from tests.trees.household_stage import asked, run
 from trees.tasks import ObjectDescription, PlaceTask, PutInTask
 
 RED_CUP = ObjectDescription("cup", "red")
@@ -50,6 +51,8 @@ def test_a_cup_is_put_on_the_part_that_was_named(stage_with, side, y_m):
     place = stage.fake.world.object("red cup").world_T_object[:3, 3]
     assert place[:2] == pytest.approx((0.5, y_m), abs=0.05)
     assert place[2] == pytest.approx(TOP_M + 0.04 + 0.055, abs=0.01)
+    (request,) = asked(stage, PlaceRequest)
+    assert {spot.touches for spot in request.spots} == {(f"{side} burner", "stove")}
 
 
 @pytest.mark.requirement("P4")

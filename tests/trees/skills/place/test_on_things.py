@@ -1,5 +1,7 @@
 """What is put on top of another thing stands on what is flat, and covers what is open."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,7 +9,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from kinematics.scene.support_of import support_of, supports_of
+from kinematics.scene.support_of import furniture_right_below, support_of, supports_of
 from robots.fake.fake_world import cup, table
 from robots.perception.truth_view import TrueObject
 from tests.trees.household_stage import run
@@ -131,3 +133,27 @@ def test_furniture_that_is_not_seen_is_told_to_be_unseen():
     scene = PlanningScene().with_objects([TABLE])
 
     assert why_not_there("wine rack", None, scene, Surroundings(()), 0.02).message == "no wine rack seen"
+
+
+STOVE = SceneObject("stove", Box((0.2, 0.4, 0.06)), poses.translation(0.5, 0.2, 0.93), 0.015, movable=False)
+BURNER = SceneObject(
+    "left burner", Box((0.15, 0.15, 0.002)), poses.translation(0.5, 0.3, 0.962), 0.015, movable=False
+)
+WITH_MARGIN = replace(TABLE, margin_m=0.015)
+
+
+@pytest.mark.parametrize(
+    ("place", "near"),
+    [
+        ((0.5, 0.3, 0.963), {"stove", "left burner"}),
+        ((0.5, 0.1, 0.96), {"stove"}),
+        ((0.5, -0.3, 0.9), {"table"}),
+        ((0.5, -0.3, 0.912), {"table"}),
+        ((0.5, -0.3, 0.95), set()),
+    ],
+    ids=["on a part of a stove", "on the stove", "on the table", "on a plate", "on a box"],
+)
+def test_what_is_put_down_may_come_near_the_furniture_right_below(place, near):
+    scene = PlanningScene().with_objects([WITH_MARGIN, STOVE, BURNER])
+
+    assert set(furniture_right_below(np.array(place), scene)) == near
