@@ -135,8 +135,8 @@ def with_what_carries(names: Iterable[str], scene: PlanningScene) -> tuple[str, 
         scene: What is believed to be around.
     """
     touched = tuple(names)
-    things = (scene.objects[name] for name in touched if name in scene.objects)
-    below = (one for thing in things if thing.movable for one in under_foot_of(thing, scene))
+    known = (scene.objects[name] for name in touched if name in scene.objects)
+    below = (name for item in known for name in under_foot_of(item, scene))
     return tuple(dict.fromkeys((*touched, *below)))
 
 
