@@ -139,11 +139,15 @@ class PlanningTask:
         """Whether the motors hold configurations, shape (nq,) each, and none is taken for a fall."""
         dynamics, most = self.robot.derived(StandingDynamics), BORNE_SHARE * self._model.effort
         return all(
-            q[2] >= self.lowest_m - _ROUNDING_M
-            and 1.0 - 2.0 * (q[3] ** 2 + q[4] ** 2) >= math.cos(LEANING_RAD)
-            and bool(np.all(np.abs(dynamics.holding_efforts(q)) <= most))
+            self._stands(q) and bool(np.all(np.abs(dynamics.holding_efforts(q)) <= most))
             for q in configurations
         )
+
+    def _stands(self, q: Array) -> bool:
+        """Whether nobody takes it for falling; a welded base stays as it is bolted, be it to a ceiling."""
+        up = 1.0 - 2.0 * float(q[3] ** 2 + q[4] ** 2)
+        upright = bool(q[2] >= self.lowest_m - _ROUNDING_M) and up >= math.cos(LEANING_RAD)
+        return self._model.description.welded or upright
 
     def bears(self, trajectory: Trajectory) -> bool:
         """Whether the motors can carry a motion out."""

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trees.beliefs.grounding.articles import with_article
 from trees.skill import After, Need, Skill, Written
-from trees.tasks import CloseTask, ObjectDescription, OpenTask
+from trees.tasks import CloseTask, OpenTask
 
 if TYPE_CHECKING:
     from py_trees.behaviour import Behaviour
@@ -38,13 +37,9 @@ def _about(written: Written) -> str | None:
 
 
 def _refuses(task: OpenTask | CloseTask) -> str:
-    """That what is named is neither a door nor a drawer, nor has one that this robot knows."""
-    from trees.beliefs.openings.handles import MEANT_BY
+    from trees.skills.doors.meant_part import opens_nothing
 
-    kind = task.object.kind if isinstance(task.object, ObjectDescription) else None
-    if kind is None or kind in MEANT_BY:
-        return ""
-    return f"{with_article(kind)} is nothing that I can open or close"
+    return opens_nothing(task)
 
 
 SKILLS = (

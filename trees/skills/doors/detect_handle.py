@@ -10,7 +10,7 @@ from py_trees.common import Status
 from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
-from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, same_front
 from trees.beliefs.scene.scene_update import kind_of, words_for
 from trees.failures import Failure, FailureKind
@@ -18,7 +18,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed
+from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed, opens_nothing
 from trees.skills.doors.pushed_front import fronts_in, with_known_bars
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
@@ -60,12 +60,12 @@ class DetectHandle(LookLeaf):
         task: OpenTask | CloseTask = self.get_input("task")
         wanted = task.object
         noun, kind = kind_meant(task)
-        if noun is not None and kind is None:
-            return Failure.infeasible(f"{with_article(noun)} is nothing that I can open or close")
+        if told := opens_nothing(task):
+            return Failure.infeasible(told)
         fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
         if not fitting:
             what = noun or "door or drawer"
-            if (owner := _opens_nothing(wanted, update.seen)) is not None:
+            if (owner := _without_any(wanted, update.seen)) is not None:
                 return Failure.infeasible(f"the {owner} has no {what} that I can open or close")
             return Failure.postcondition(f"no handle of a {what} seen")
         named = wanted.name if isinstance(wanted, ObjectDescription) else None
@@ -96,15 +96,14 @@ class DetectHandle(LookLeaf):
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
 
 
-def _opens_nothing(wanted: object, seen: Mapping[str, ObjectEstimate]) -> str | None:
+def _without_any(wanted: object, seen: Mapping[str, ObjectEstimate]) -> str | None:
     """The furniture that a look shows, in which it is said to be, where it is none that opens; else None."""
     relation = wanted.relation if isinstance(wanted, ObjectDescription) else None
     if relation is None or relation.kind != "in":
         return None
-    called = str(relation.to)
     shown = (one for one in seen.values() if one.category == "furniture" and one.kind not in BODY_OF.values())
     names = {words_for(one) for one in shown}
-    return next((name for name in sorted(names) if called in (name, name.rpartition(" ")[2])), None)
+    return next((name for name in sorted(names) if is_said_of(str(relation.to), name)), None)
 
 
 class DetectFront(DetectHandle):

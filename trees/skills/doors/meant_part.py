@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robots.scenes.scene_description import Region
+from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
 from trees.beliefs.grounding.questions import which_is_meant
@@ -74,6 +75,12 @@ def kind_meant(task: OpenTask | CloseTask) -> tuple[str | None, str | None]:
     """The noun that was said, and "door" or "drawer" where it means one; None for what was left open."""
     noun = task.object.kind if isinstance(task.object, ObjectDescription) else None
     return noun, None if noun is None else MEANT_BY.get(noun)
+
+
+def opens_nothing(task: OpenTask | CloseTask) -> str:
+    """That what is named is neither a door nor a drawer, nor has one that this robot knows; else empty."""
+    noun, kind = kind_meant(task)
+    return "" if noun is None or kind else f"{with_article(noun)} is nothing that I can open or close"
 
 
 def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:

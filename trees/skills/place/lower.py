@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+import numpy as np
 from py_trees.common import Status
 
 from kinematics.geometry import poses
@@ -12,7 +13,7 @@ from kinematics.model.robot_description import Hand
 from kinematics.requests.move import RetreatRequest
 from kinematics.scene.concessions import ConcessionReason, touching
 from kinematics.scene.planning_scene import PlanningScene
-from kinematics.scene.support_of import top_m, under_foot_of
+from kinematics.scene.support_of import furniture_right_below, top_m
 from robots.control.motion_handle import MotionHandle, MotionStatus
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
@@ -127,19 +128,6 @@ class Lower(MotionLeaf):
         return DONE
 
 
-def with_what_carries(names: Iterable[str], scene: PlanningScene) -> tuple[str, ...]:
-    """What is put down on, and what that stands on: over a thin board the table is nearer than its margin.
-
-    Args:
-        names: What may be touched.
-        scene: What is believed to be around.
-    """
-    touched = tuple(names)
-    known = (scene.objects[name] for name in touched if name in scene.objects)
-    below = (name for item in known for name in under_foot_of(item, scene))
-    return tuple(dict.fromkeys((*touched, *below)))
-
-
 class LowerFurther(PlannedMotionLeaf):
     """Go down a little farther if the hand has not felt anything yet.
 
@@ -176,18 +164,15 @@ class LowerFurther(PlannedMotionLeaf):
         # it gets there only if nothing carries it before: a touch ends the motion
         comes_to_m = foot_m(toolbox, held) - toolbox.policy.of(PlaceSettings).further_m
         scene = lowered_supports(toolbox.world.scene, placement.touches, comes_to_m)
+        place_m = np.array([*placement.odom_T_object[:2, 3], comes_to_m])
+        near = dict.fromkeys((*placement.touches, *furniture_right_below(place_m, toolbox.world.scene)))
         return RetreatRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
             scene=scene,
             hand=held.hand,
             world_offset_m=(0.0, 0.0, -toolbox.policy.of(PlaceSettings).further_m),
-            concessions=touching(
-                [held.name],
-                with_what_carries(placement.touches, toolbox.world.scene),
-                ConcessionReason.SUPPORT_OF_HELD_OBJECT,
-                "retreat",
-            ),
+            concessions=touching([held.name], near, ConcessionReason.SUPPORT_OF_HELD_OBJECT, "retreat"),
         )
 
     def step(self) -> Status | Failure:

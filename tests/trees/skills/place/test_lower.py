@@ -4,10 +4,9 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import top_m
-from trees.skills.place.lower import lowered_supports, with_what_carries
+from trees.skills.place.lower import lowered_supports
 
 TABLE = SceneObject("table", Box((0.6, 1.2, 0.04)), poses.translation(0.6, 0.0, 0.88), 0.015, movable=False)
-STOVE = SceneObject("stove", Box((0.2, 0.3, 0.03)), poses.translation(0.6, 0.4, 0.915), 0.015, movable=False)
 BOWL = SceneObject("bowl", Cylinder(0.1, 0.07), poses.translation(0.6, 0.0, 0.935), 0.01)
 
 
@@ -27,18 +26,3 @@ def test_a_table_that_what_was_lowered_has_not_come_to_stays_where_it_was_seen()
 def test_a_bowl_and_furniture_that_carries_nothing_stay_where_they_were_seen():
     assert tops(0.893)["bowl"] == pytest.approx(0.97)
     assert tops(0.893, names=("bowl", "shelf"))["table"] == pytest.approx(0.90)
-
-
-@pytest.mark.parametrize(
-    ("names", "may_touch"),
-    [
-        (("bowl",), ("bowl", "table")),
-        (("stove",), ("stove", "table")),
-        (("table",), ("table",)),
-        (("table", "bowl"), ("table", "bowl")),
-    ],
-)
-def test_what_goes_on_a_thing_may_come_near_what_that_stands_on(names, may_touch):
-    scene = PlanningScene().with_objects([TABLE, BOWL, STOVE])
-
-    assert with_what_carries(names, scene) == may_touch
