@@ -6,7 +6,7 @@ folder, import nothing that acts: a record's tree imports its nodes when it is a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -83,7 +83,7 @@ def never(_task: Any) -> bool:
     return False
 
 
-def nothing(_task: Any) -> str:
+def nothing(_task: Any, _labels: Collection[str] | None) -> str:
     """Nothing speaks against it, whatever it says."""
     return ""
 
@@ -131,6 +131,7 @@ class Skill:
         strays: Whether a task leads the robot away to no place that anything is known of: what was at hand
             is not at hand afterwards either.
         refuses: Says what in a task's words nobody could do, whatever is seen; empty where there is nothing.
+            It is told the words that perception can tell, None for any.
     """
 
     task: type[Any]
@@ -150,7 +151,7 @@ class Skill:
     lasts_s: Callable[[Any], float] = no_longer
     goes_away: bool = False
     strays: Callable[[Any], bool] = never
-    refuses: Callable[[Any], str] = nothing
+    refuses: Callable[[Any, Collection[str] | None], str] = nothing
 
     @property
     def action(self) -> str:

@@ -202,8 +202,8 @@ class Sensing(Protocol):
 class Gripper(Protocol):
     """The gripper of one hand: it opens, closes and tells what it feels."""
 
-    def open(self) -> MotionHandle:
-        """Open fully."""
+    def open(self, opening_m: float | None = None) -> MotionHandle:
+        """Open fully, or until the pads are so far apart."""
         ...
 
     def close(self) -> MotionHandle:

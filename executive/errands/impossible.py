@@ -117,13 +117,13 @@ def impossible(
             return Impossible(command, f"the robot has no eyes here to find {with_article(word)} by", word)
         known = f"I do not know what {with_article(word)} looks like; I can find"
         return Impossible(command, f"{known} {what_can_be_found(word, labels)}", word)
-    return next(filter(None, map(_refused, commands)), None)
+    return next(filter(None, (_refused(command, labels) for command in commands)), None)
 
 
-def _refused(command: Command) -> Impossible | None:
+def _refused(command: Command, labels: Collection[str] | None) -> Impossible | None:
     """What its skill says that nobody could do."""
     skill = skill_of(command)
-    told = "" if skill is None else skill.refuses(command)
+    told = "" if skill is None else skill.refuses(command, labels)
     return Impossible(command, told, command.action) if told else None
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from kinematics.arrays import Array
 from kinematics.geometry import poses
-from kinematics.geometry.shapes import Cylinder
+from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import IkResult, IkTolerance
 from kinematics.ik.solver import along_line
@@ -23,6 +23,7 @@ from kinematics.model.palm_grip import way_to_bar
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
+from kinematics.planning.finger_room import fitting_opening_m, stands_out
 from kinematics.planning.grasps import key_of
 from kinematics.planning.opening_rehearsal import rehearse
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, PlanningTask
@@ -52,6 +53,12 @@ _LYING: tuple[tuple[str, float], ...] = (("thumb up", 0.5 * math.pi), ("thumb do
 _FLOATED = 0.8
 """Of a door's angle: so far the hand has turned about the bar when it has followed the door there."""
 _TOLERANCE = IkTolerance(com_margin_m=0.05)
+_BEFORE_FRONT_M = 0.004
+"""Fingertips stay so far before the front on which the bar is."""
+_ON_PADS_M = 0.008
+"""So much of the pads reaches beyond a bar's middle in any case."""
+_ABOUT_BAR_M = 0.006
+"""Fingers are so far from a bar before they close: what it is misjudged by."""
 _LED_IN = 6
 """Poses on the way of a palm that has to be turned to a bar."""
 
@@ -137,7 +144,7 @@ class _HandleTask(PlanningTask):
             yaw = heading + aside
         else:  # a palm lies along the whole bar: it turns about that
             about += aside
-        short_m = min(SHORT_M, gripper.closing_advance_m)
+        short_m = max(min(SHORT_M, gripper.closing_advance_m), self._kept_off_m(hand, place))
         bar = np.array([gripper.bar.along_m, gripper.grasped_at_m(diameter), 0.0])
         deeper, deeper_m = self._depth(hand)
         for name, roll in rolls:
@@ -147,7 +154,33 @@ class _HandleTask(PlanningTask):
                 continue
             ahead = (deeper_m - short_m) * way_to_bar(gripper)
             pose = poses.transform(rotation, place + rotation @ (ahead - bar))
-            yield Grasp(hand, label, pose, APPROACH_M, diameter)
+            opening_m = self._opening_m(hand, pose, diameter)
+            yield Grasp(hand, label, pose, APPROACH_M, diameter, opening_m=opening_m)
+
+    def _kept_off_m(self, hand: Hand, place: Array) -> float:
+        """How far before the bar's middle pads have to stop that would else meet the front behind it."""
+        request, gripper = self.request, self._model.description.grippers[hand]
+        front = request.scene.objects.get(request.parts[0])
+        if not request.beside or front is None or not isinstance(front.shape, Box):
+            return 0.0
+        pad_m = gripper.pad_half_size_m[0][2]
+        off_m = abs(float((place - front.world_T_object[:3, 3]) @ front.world_T_object[:3, 0]))
+        behind_m = off_m - 0.5 * front.shape.size_m[0]
+        return min(pad_m + gripper.closing_advance_m + _BEFORE_FRONT_M - behind_m, pad_m - _ON_PADS_M)
+
+    def _opening_m(self, hand: Hand, pose: Array, diameter: float) -> float | None:
+        """How far the fingers open, where something is beside the bar; None for all the way."""
+        gripper, request = self._model.description.grippers[hand], self.request
+        if not request.beside or gripper.palm_side_m is not None:
+            return None
+        objects, outward = request.scene.objects, request.path.at(request.s_from).outward
+        around = [objects[name] for name in request.beside]
+        if (front := objects.get(request.parts[0])) is not None:
+            around = [item for item in around if stands_out(item, front, outward)]
+        opening_m = fitting_opening_m(gripper, pose, around, diameter + 2.0 * _ABOUT_BAR_M)
+        if opening_m is None:
+            return 0.0
+        return None if opening_m >= gripper.max_opening_m else opening_m
 
     def _depth(self, hand: Hand) -> tuple[str, float]:
         """How much deeper than it is seen the bar is looked for, in words and m: another way after each miss.
@@ -168,6 +201,8 @@ class _HandleTask(PlanningTask):
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
         request = self.request
+        if grasp.opening_m == 0.0:
+            return "no room for fingers beside the handle"
         ik = self.ik_of(grasp.hand)
         found = self._at(grasp)
         if found is None:
@@ -230,7 +265,8 @@ class _HandleTask(PlanningTask):
         if reach is None:
             return "no path to the handle"
         links = self._model.description.grippers[grasp.hand].touch_links
-        in_hand = touching(links, self.request.parts, ConcessionReason.HANDLE_IN_HAND, "approach")
+        near = (*self.request.parts, *self.request.beside)
+        in_hand = touching(links, near, ConcessionReason.HANDLE_IN_HAND, "approach")
         first = self.first_step("reach", reach, _REACH_PACE)
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
@@ -240,4 +276,5 @@ class _HandleTask(PlanningTask):
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""
         links = self._model.description.grippers[hand].touch_links
-        return self.request.scene.allowing((link, part) for link in links for part in self.request.parts)
+        near = (*self.request.parts, *self.request.beside)
+        return self.request.scene.allowing((link, part) for link in links for part in near)

@@ -21,6 +21,8 @@ class Grasp(Sealed):
         diameter_m: Opening that is expected when the pads hold the object.
         off_centre_m: Where the middle of the object is along the opening then, from the TCP: not between the
             pads where it is held by a handle or a neck.
+        opening_m: How far the fingers open before that, where more would touch what is beside; None for all
+            the way.
     """
 
     hand: Hand
@@ -29,3 +31,4 @@ class Grasp(Sealed):
     approach_m: float
     diameter_m: float
     off_centre_m: float = 0.0
+    opening_m: float | None = None

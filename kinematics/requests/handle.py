@@ -43,6 +43,8 @@ class HandleRequest(Request[HandlePlan | NoPlan]):
         excluded: Labels of grasps, as "hand label", that were tried in vain.
         seed: Of everything random in the plan.
         pushed: The name of the front, when the hand shall push against that instead of holding the bar.
+        beside: Names of what is fixed around the bar, of a piece that is known by a model: fingers that fit
+            in between may come near it.
     """
 
     handle: str
@@ -54,3 +56,4 @@ class HandleRequest(Request[HandlePlan | NoPlan]):
     excluded: frozenset[str] = frozenset()
     seed: int = 0
     pushed: str = ""
+    beside: tuple[str, ...] = ()

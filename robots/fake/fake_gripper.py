@@ -46,11 +46,12 @@ class FakeGripper:
         self._handle: MotionHandle | None = None
         self._goal_rad = gripper.open_rad
 
-    def open(self) -> MotionHandle:
-        """Open fully; what was held falls."""
+    def open(self, opening_m: float | None = None) -> MotionHandle:
+        """Open fully, or so far; what was held falls."""
         self._handle = self._motion.note(f"open {self._gripper.hand} gripper")
         if not self._handle.finished:
-            self._goal_rad = self._gripper.open_rad
+            gripper = self._gripper
+            self._goal_rad = gripper.open_rad if opening_m is None else gripper.position_at(opening_m)
             if self.holding is not None and self._world.carried_by(self.holding) is not None:
                 self._world.drop(self.holding)
             self.holding, self.effort_nm = None, 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from statistics import fmean, median
 
 import numpy as np
@@ -14,6 +14,7 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.scene.known_front import KnownFront
 from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
@@ -55,6 +56,7 @@ class ObjectEstimate(Sealed):
         alike: What else an object may be called, as far as at least half of the frames tell.
         picture: The newest that a frame tells of what is unsure, as in ``Detection``; None else.
         cut: Whether no frame shows all of it: it is at least so large.
+        front: As in ``Detection``, in the odometry frame.
     """
 
     category: Category
@@ -73,6 +75,7 @@ class ObjectEstimate(Sealed):
     alike: tuple[str, ...] = ()
     picture: bytes | None = None
     cut: bool = False
+    front: KnownFront | None = None
 
     @property
     def label(self) -> Label:
@@ -253,6 +256,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         alike=_alike(inliers, names),
         picture=inliers[-1].picture,
         cut=all(detection.cut for detection in inliers),
+        front=_front(cluster, near),
     )
 
 
@@ -266,6 +270,23 @@ def _error(cluster: _Cluster, inliers: Sequence[Detection]) -> PositionError | N
         if error is not worst and np.trace(error.covariance_m2) > np.trace(worst.covariance_m2):
             worst = error
     return worst.averaged(len(told)).turned(cluster.camera[:3, :3])
+
+
+def _front(cluster: _Cluster, near: Sequence[int]) -> KnownFront | None:
+    """Where a door or drawer would be if it were shut: the mean of what the frames tell."""
+    told, shut = None, []
+    for i in near:
+        seen = cluster.detections[i]
+        if seen.front is None:
+            return None
+        told = seen.front
+        odom_T_front = poses.transform(cluster.rotations[i], cluster.positions[i])
+        shut.append(odom_T_front @ poses.inverse(seen.camera_T_object) @ told.shut)
+    if told is None:
+        return None
+    rotation = _mean_rotation([pose[:3, :3] for pose in shut])
+    level = poses.rotation_z(poses.yaw_of(rotation))
+    return replace(told, shut=poses.transform(level, np.mean([pose[:3, 3] for pose in shut], axis=0)))
 
 
 def _traits(seen: Sequence[Detection]) -> tuple[str, ...]:

@@ -30,18 +30,17 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.camera_description import CameraDescription
+from kinematics.scene.known_front import KnownFront
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import alike_in_all_directions
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
+from robots.perception.told_labels import front_label, told_labels
 from robots.perception.truth_view import TrueObject, TruthView
-from robots.scenes.articulated import PART_KINDS, moving_solids
+from robots.scenes.articulated import PART_KINDS
 from robots.scenes.fixture import CONTROL_KINDS
-from robots.scenes.furniture import FURNITURE_KINDS
-from robots.scenes.furniture_names import FIXTURE
-from robots.scenes.scene_description import PerceptionModel, SceneDescription, spoken_words
-from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
+from robots.scenes.scene_description import PerceptionModel
 
 # A plane is recognised from a small part of it; an object needs the declared share.
 _FURNITURE_MIN_VISIBLE = 0.04
@@ -218,6 +217,7 @@ class PerceptionStub:
                 names=solid.names,
                 categories=solid.categories,
                 traits=self._traits(solid),
+                front=self._front(solid, world_T_camera),
                 error=alike_in_all_directions(
                     _declared(grown * model.bias_m),
                     _declared(grown * model.noise_m),
@@ -244,6 +244,14 @@ class PerceptionStub:
             return ()
         told = self._traits_rng.random(len(solid.traits)) >= self._model.trait_dropout
         return tuple(trait for trait, kept in zip(solid.traits, told, strict=True) if kept)
+
+    def _front(self, solid: TrueObject, world_T_camera: Transform) -> KnownFront | None:
+        """Of what is recognised by its model: where the model has it shut, as far off as its piece is."""
+        if solid.front is None:
+            return None
+        shut = solid.front.shut.copy()
+        shut[:3, 3] += self._calibration_m + self._bias_m(solid.name.partition("/")[0])
+        return replace(solid.front, shut=poses.inverse(world_T_camera) @ shut)
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""
@@ -276,6 +284,11 @@ class PerceptionStub:
             )
         return detections
 
+    def _bias_m(self, piece: str) -> Array:
+        """The error of the place of a piece of furniture, none of what has no solid of its own."""
+        drawn = self._episodes.get(piece)
+        return np.zeros(3) if drawn is None else drawn.bias_m
+
     def _episode(self, solid: TrueObject) -> _Episode:
         name = _piece(solid)
         if name not in self._episodes:
@@ -289,6 +302,8 @@ def _called(truth: TruthView) -> Iterable[str]:
     """What the things of a world are called."""
     for solid in truth.solids():
         yield from (solid.kind, *solid.names, *solid.categories)
+        if solid.front is not None:
+            yield front_label(solid.front.of, solid.kind)
         if solid.category == "furniture" and solid.told_name is not None:
             yield solid.told_name
 
@@ -304,7 +319,7 @@ def _piece(solid: TrueObject) -> str:
     Doors, drawers and handles are seen, and misjudged, each on its own.
     """
     alone = solid.category != "furniture" or solid.kind in (*PART_KINDS, *CONTROL_KINDS)
-    return solid.name if alone else solid.name.split("/", 1)[0]
+    return solid.name if alone else solid.name.rpartition("/")[0]
 
 
 def _area(solid: TrueObject) -> float:
@@ -365,32 +380,3 @@ def _resized(shape: Shape, scale: tuple[float, float, float]) -> Shape:
     if isinstance(shape, Cylinder):
         return Cylinder(shape.radius_m * scale[0], shape.height_m * scale[2])
     return Ball(shape.radius_m * scale[0])
-
-
-def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str] | None:
-    """The words that can be told, in lower case; None when any can.
-
-    Args:
-        called: What the things that could be seen are called: kinds, names and sorts.
-        declared: What the scene declares besides.
-    """
-    extra = {word.casefold() for word in declared}
-    if ANY_LABEL in extra:
-        return None
-    known = {*OBJECT_KINDS, *FURNITURE_KINDS, *PART_KINDS, *extra, *called} - {FIXTURE}
-    return frozenset(word.casefold() for word in known)
-
-
-def labels_in(scene: SceneDescription) -> frozenset[str] | None:
-    """The words that a robot's perception can tell in a scene, before there is a world; None when any.
-
-    Args:
-        scene: What is there, and what it declares.
-    """
-    people = ["person"] if scene.people else []
-    parts: list[str] = [
-        solid.kind for piece in scene.furniture if piece.opens for solid in moving_solids(piece)
-    ]
-    parts += [control.kind for piece in scene.furniture for control in piece.controls]
-    called = [*spoken_words(scene), *people, *filter(None, parts)]
-    return told_labels(called, scene.perception.labels)

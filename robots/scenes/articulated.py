@@ -46,6 +46,9 @@ POST_M = 0.016
 BAR_MASS_KG = 0.3
 
 
+SolidKind = Literal["door", "drawer", "handle", "drawer bottom", "drawer wall", ""]
+
+
 @dataclass(frozen=True, slots=True)
 class MovingSolid(Sealed):
     """One solid of a door or drawer, closed.
@@ -60,7 +63,7 @@ class MovingSolid(Sealed):
     """
 
     name: str
-    kind: Literal["door", "drawer", "handle", "drawer bottom", "drawer wall", ""]
+    kind: SolidKind
     shape: Box | Cylinder
     part_T_solid: Transform
     grasped: bool = False

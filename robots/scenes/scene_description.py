@@ -21,6 +21,7 @@ from robots.scenes.furniture_names import own_name
 from robots.scenes.light import Light
 from robots.scenes.meshes.object_model import ObjectModel
 from robots.scenes.named_region import NamedRegion
+from robots.scenes.opening import Opening
 from robots.scenes.scene_words import ANY_LABEL, COLORS
 
 Posture = Literal["standing", "sitting", "lying"]
@@ -116,7 +117,8 @@ class Furniture:
     ``size_m`` is depth along its own x, width along y, and the height of the top above the floor;
     ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one. Of a fixture
     (see ``robots.scenes.fixture``) ``foot_m`` is the height of its underside, ``boxes`` what it is made of
-    where that is not one box, and ``controls`` are its knobs and buttons. ``regions`` are parts with names.
+    where that is not one box, ``controls`` are its knobs and buttons, and ``openings`` its doors and drawers.
+    ``regions`` are parts with names.
     """
 
     name: str
@@ -129,6 +131,7 @@ class Furniture:
     foot_m: float = 0.0
     boxes: tuple[FixedBox, ...] = ()
     controls: tuple[Control, ...] = ()
+    openings: tuple[Opening, ...] = ()
     regions: tuple[NamedRegion, ...] = ()
 
 

@@ -14,6 +14,7 @@ from robots.scenes.fixture import Control, FixedBox
 from robots.scenes.light import Light, LightChange, LightKind
 from robots.scenes.meshes.sidecar import UpKey
 from robots.scenes.named_region import NamedRegion
+from robots.scenes.opening import Bar, Opening
 from robots.scenes.scene_description import (
     Furniture,
     MovingPart,
@@ -142,18 +143,47 @@ class FridgeTable(_OpeningTable):
         )
 
 
+class OpeningTable(StrictTable):
+    """``[[furniture.opening]]``: a door or drawer of a fixture."""
+
+    name: Text
+    kind: Literal["door", "drawer"]
+    travel: FiniteFloat
+    box: list[Annotated[FixedBox, AsTable()]] = Field(default_factory=list)
+    bar: Annotated[Bar, AsTable()] | None = None
+    hinge: Literal["left", "right"] | None = None
+    hinge_m: Pair | None = None
+    mass_kg: FiniteFloat = 1.0
+    friction: FiniteFloat = 1.0
+    seal_n: FiniteFloat = 0.0
+    locked: bool = False
+    opening: FiniteFloat = Field(0.0, alias="open")
+    handle_friction: FiniteFloat = 0.9
+
+    def value(self) -> Opening:
+        """What it says."""
+        said = {key: getattr(self, key) for key in type(self).model_fields if key != "box"}
+        return Opening(boxes=tuple(self.box), **said)
+
+
 class FixtureTable(_PieceTable):
-    """What is fixed where it stands, made of boxes, with its knobs and buttons."""
+    """What is fixed where it stands, made of boxes, with its doors, drawers, knobs and buttons."""
 
     kind: Literal["fixture"]
     foot_m: FiniteFloat = 0.0
     box: list[Annotated[FixedBox, AsTable()]] = Field(default_factory=list)
     control: list[Annotated[Control, AsTable()]] = Field(default_factory=list)
+    opening: list[OpeningTable] = Field(default_factory=list)
 
     def value(self) -> Furniture:
         """What it says."""
-        made = (tuple(self.box), tuple(self.control))
-        return replace(super().value(), foot_m=self.foot_m, boxes=made[0], controls=made[1])
+        return replace(
+            super().value(),
+            foot_m=self.foot_m,
+            boxes=tuple(self.box),
+            controls=tuple(self.control),
+            openings=tuple(one.value() for one in self.opening),
+        )
 
 
 def _position(value: Any, info: ValidationInfo) -> Any:

@@ -10,13 +10,15 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.errors import SceneError
-from robots.scenes import articulated, fixed_camera, furniture, light
+from robots.scenes import fixed_camera, furniture, light
 from robots.scenes.articulated import ARTICULATED_KINDS, DRAWER_FRONT_HEIGHT_M, WALL_M, opens_to
 from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.fixture import fixture_defect
 from robots.scenes.furniture_names import FIXTURE, kind_that_name_contradicts
 from robots.scenes.hollow import hollow_parts
+from robots.scenes.moving_parts import moving_parts
 from robots.scenes.named_region import region_defect
+from robots.scenes.opening import openings_defect
 from robots.scenes.person_solid import PERSON_HEIGHT_M, person_solid
 from robots.scenes.placed_solid import TOUCH_TOLERANCE_M, PlacedSolid, fall_m, lowest_m, overlap, top_m
 from robots.scenes.scene_description import (
@@ -193,6 +195,7 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     defect = part_defect(piece)
     if piece.kind == FIXTURE:
         defect = defect or fixture_defect(piece.size_m, piece.foot_m, piece.boxes, piece.controls)
+        defect = defect or openings_defect(piece.openings, tuple(one.name for one in piece.controls))
     defect = defect or region_defect(piece.regions)
     if defect is not None:
         raise SceneError(source, f"{key}.{defect[0]}", f"{piece.name!r}: {defect[1]}")
@@ -306,11 +309,11 @@ def _check_places(scene: SceneDescription, source: str) -> None:
         PlacedSolid(
             f"furniture {piece.name!r}",
             solid.shape,
-            articulated.world_T_solid(piece, furniture.floor_pose(piece), solid),
+            moving.world_T_solid(furniture.floor_pose(piece), solid),
         )
         for piece in scene.furniture
-        if piece.opens is not None
-        for solid in articulated.moving_solids(piece)
+        for moving in moving_parts(piece)
+        for solid in moving.solids
     ]
     fixed = [*parts, *(solid for _, solid in people), body]
     for i, (key, solid) in enumerate(items):

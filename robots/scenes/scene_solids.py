@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
-from robots.scenes import articulated, furniture
+from robots.scenes import furniture
+from robots.scenes.moving_parts import moving_parts
 from robots.scenes.person_solid import person_solid
 from robots.scenes.scene_description import SceneDescription
 
@@ -25,13 +26,13 @@ def planning_scene(scene: SceneDescription, margin_m: float = 0.0) -> PlanningSc
         SceneObject(
             part.name,
             part.shape,
-            articulated.world_T_solid(piece, furniture.floor_pose(piece), part),
+            moving.world_T_solid(furniture.floor_pose(piece), part),
             margin_m,
             movable=False,
         )
         for piece in scene.furniture
-        if piece.opens is not None
-        for part in articulated.moving_solids(piece)
+        for moving in moving_parts(piece)
+        for part in moving.solids
     ]
     solids += [SceneObject(item.name, item.shape, item.world_T_object, margin_m) for item in scene.objects]
     for person in scene.people:

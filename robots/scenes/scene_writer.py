@@ -12,6 +12,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.fixture import Control
 from robots.scenes.light import Light
+from robots.scenes.opening import Opening
 from robots.scenes.scene_description import Furniture, Person, SceneDescription
 
 _OF_EVERY_PART = (
@@ -52,6 +53,8 @@ def dump(scene: SceneDescription) -> str:
         for control in piece.controls:
             said = {item.name: getattr(control, item.name) for item in fields(Control)}
             lines += ["[[furniture.control]]", *_pairs(**said)]
+        for opening in piece.openings:
+            lines += ["[[furniture.opening]]", *_opening_lines(opening)]
         for part in piece.regions:
             said = {"name": part.name, "size_m": part.size_m, "position_m": part.position_m}
             lines += ["[[furniture.region]]", *_pairs(**said)]
@@ -98,6 +101,22 @@ def _camera_lines(camera: FixedCamera) -> list[str]:
     }
     lines = _numbers(said)
     return [*lines, "[camera.errors]", *_numbers(wrong)] if wrong else lines
+
+
+def _opening_lines(opening: Opening) -> list[str]:
+    """What is said of a door or drawer of a fixture."""
+    told = {"opening": "open"}
+    said = {
+        told.get(item.name, item.name): getattr(opening, item.name)
+        for item in fields(Opening)
+        if item.name not in ("boxes", "bar") and getattr(opening, item.name) is not None
+    }
+    lines = _pairs(**said)
+    for box in opening.boxes:
+        lines += ["[[furniture.opening.box]]", *_pairs(size_m=box.size_m, position_m=box.position_m)]
+    if (bar := opening.bar) is not None:
+        lines += ["[furniture.opening.bar]", *_pairs(**{x.name: getattr(bar, x.name) for x in fields(bar)})]
+    return lines
 
 
 def _numbers(values: Mapping[str, Any]) -> list[str]:

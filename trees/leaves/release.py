@@ -46,7 +46,7 @@ class Release(MotionLeaf):
                 f"the {grasp.hand} hand still holds the {attached[0]} in the air; it is kept",
                 opening_m=gripper.reading().opening_m,
             )
-        return gripper.open()
+        return gripper.open(grasp.opening_m)
 
     def finish(self) -> Status | Failure:
         """What was attached is no longer: the next look says where it is."""

@@ -107,7 +107,7 @@ def _words(scene: str) -> Iterator[str]:
     from executive.errands.beyond_the_eyes import THINGS, is_told
     from executive.vocabulary import load_vocabulary
     from executive.vocabulary.word_lists import outside_words
-    from robots.perception.stub import labels_in
+    from robots.perception.told_labels import labels_in
     from robots.scenes.scene_file import load_scene
 
     labels = labels_in(load_scene(scene))

@@ -186,9 +186,12 @@ class ControlLink:
         """Start an admitted trajectory; the handle follows what becomes of it."""
         self._say(self._begin(handle, motion, Start(self._next(), self.now_s, motion, trajectory)))
 
-    def start_guarded(self, handle: MotionHandle, motion: int, name: str, hand: str) -> None:
+    def start_guarded(
+        self, handle: MotionHandle, motion: int, name: str, hand: str, opening_m: float
+    ) -> None:
         """Start a guarded motion that the other side makes."""
-        self._say(self._begin(handle, motion, Guarded(self._next(), self.now_s, motion, name, hand)))
+        message = Guarded(self._next(), self.now_s, motion, name, hand, opening_m)
+        self._say(self._begin(handle, motion, message))
 
     def lead(
         self,

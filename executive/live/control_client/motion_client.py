@@ -57,10 +57,10 @@ class MotionClient:
             return None
         return self._streamed[1]
 
-    def start_guarded(self, name: str, hand: Hand) -> MotionHandle:
-        """Ask for a guarded motion that the other side makes."""
+    def start_guarded(self, name: str, hand: Hand, opening_m: float = 0.0) -> MotionHandle:
+        """Ask for a guarded motion that the other side makes; 0 opens as far as it goes."""
         count, handle = self.new(f"{name} ({hand})")
-        self._link.start_guarded(handle, count, name, hand)
+        self._link.start_guarded(handle, count, name, hand, opening_m)
         return handle
 
     def cancel(self, handle: MotionHandle, reason: str) -> None:
@@ -91,9 +91,9 @@ class GripperClient:
         """Command the gripper of one hand."""
         self._link, self._motion, self._hand = link, motion, hand
 
-    def open(self) -> MotionHandle:
-        """Open fully."""
-        return self._motion.start_guarded("open gripper", self._hand)
+    def open(self, opening_m: float | None = None) -> MotionHandle:
+        """Open fully, or so far."""
+        return self._motion.start_guarded("open gripper", self._hand, opening_m or 0.0)
 
     def close(self) -> MotionHandle:
         """Close until something resists, then keep pressing."""

@@ -36,9 +36,9 @@ class GripperControl:
         self._streamer = streamer
         self._keeper = streamer.keeper(hand)
 
-    def open(self) -> MotionHandle:
-        """Open fully; a grip that was pressing lets go."""
-        return self._streamer.start(OpenGripper(self._data, self._hand, self._keeper))
+    def open(self, opening_m: float | None = None) -> MotionHandle:
+        """Open fully, or so far; a grip that was pressing lets go."""
+        return self._streamer.start(OpenGripper(self._data, self._hand, self._keeper, opening_m))
 
     def close(self) -> MotionHandle:
         """Close until something resists or the fingers meet, then keep pressing.
@@ -99,21 +99,25 @@ class _GripperMotion:
 
 
 class OpenGripper(_GripperMotion):
-    """Open one gripper fully."""
+    """Open one gripper, fully where no width is said."""
 
     verb = "open"
 
-    def __init__(self, data: RobotData, hand: Hand, keeper: GripKeeper) -> None:
+    def __init__(
+        self, data: RobotData, hand: Hand, keeper: GripKeeper, opening_m: float | None = None
+    ) -> None:
         """Prepare to open."""
         before_s = 0.0 if keeper.joints.single else _COME_BACK_S
         super().__init__(data, hand, keeper, before_s=before_s)
+        gripper = self._gripper
+        self._target_rad = gripper.open_rad if opening_m is None else gripper.position_at(opening_m)
 
     def sample(self, elapsed_s: float, state: RobotState) -> tuple[Array, Array] | None:
         """Next setpoint, or None once the fingers are open."""
         self._keeper.pressing = False
         if self._keeper.shifted:
             return self._joints.setpoint(*self._keeper.setpoint)
-        target = self._gripper.open_rad
+        target = self._target_rad
         arrived = abs(self._joints.position(state.q) - target) < self._arrived_rad
         if elapsed_s > 0.0 and arrived and self._stands_at(target):
             return None

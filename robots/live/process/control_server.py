@@ -316,7 +316,7 @@ class ControlServer:
                 return
             wrong = checked
         elif wrong is None and isinstance(message, Guarded):
-            wrong = self._motions.guard(message.motion, message.name, message.hand)
+            wrong = self._motions.guard(message.motion, message.name, message.hand, message.opening_m)
         if wrong is not None:
             connection.send(motion_message(message.motion, MotionStatus.REFUSED, 0.0, wrong))
 

@@ -19,12 +19,12 @@ from robots.live.wire.messages import write_message
 
 MAX_MOTIONS = 32
 
-GuardedMaker = Callable[[ControlLoop, Hand], MotionHandle]
+GuardedMaker = Callable[[ControlLoop, Hand, float], MotionHandle]
 GUARDED: Mapping[str, GuardedMaker] = {
-    "open gripper": lambda loop, hand: loop.grippers[hand].open(),
-    "close gripper": lambda loop, hand: loop.grippers[hand].close(),
+    "open gripper": lambda loop, hand, opening_m: loop.grippers[hand].open(opening_m or None),
+    "close gripper": lambda loop, hand, _opening_m: loop.grippers[hand].close(),
 }
-"""Guarded motions that are asked for by their name and a hand alone."""
+"""Guarded motions that are asked for by their name, a hand, and how far that opens: 0 is all the way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,14 +64,14 @@ class MotionDesk:
         """Begin a trajectory that this side's checker let pass."""
         self._begun[motion] = _Begun(self._loop.motion.start(checked))
 
-    def guard(self, motion: int, name: str, hand: str) -> str | None:
+    def guard(self, motion: int, name: str, hand: str, opening_m: float) -> str | None:
         """Begin a guarded motion by its name; returns why not, or None."""
         if name not in GUARDED:
             return f"no guarded motion {name!r}; there are {', '.join(GUARDED)}"
         if hand not in self._loop.grippers:
             return f"no gripper in the {hand!r} hand"
         known: Hand = "left" if hand == "left" else "right"
-        self._begun[motion] = _Begun(GUARDED[name](self._loop, known))
+        self._begun[motion] = _Begun(GUARDED[name](self._loop, known, opening_m))
         return None
 
     def lead(self, motion: int, document: bytes) -> str | None:

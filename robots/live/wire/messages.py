@@ -64,13 +64,17 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class Guarded:
-    """Begin a guarded motion that the control side makes: its name and the hand."""
+    """Begin a guarded motion that the control side makes: its name, the hand, and how far that opens, m.
+
+    At 0 it opens as far as it goes.
+    """
 
     number: int
     stamp_s: float
     motion: int
     name: str
     hand: str
+    opening_m: float
 
 
 @dataclass(frozen=True, slots=True)

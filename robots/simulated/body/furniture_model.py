@@ -11,6 +11,7 @@ from kinematics.geometry.poses import Transform, quaternion_from_rotation
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import RobotDescription
 from robots.scenes import articulated, furniture
+from robots.scenes.moving_parts import Moving, moving_parts
 from robots.scenes.scene_description import Furniture, SceneDescription
 from robots.simulated.body.body_model import PAD_SOLIMP, PAD_SOLREF, PATCH_RADIUS_M, pad_name, set_role
 from robots.simulated.body.control_model import control_joint, control_name
@@ -21,34 +22,34 @@ DOOR_DAMPING = 0.2
 DRAWER_DAMPING = 2.0
 """N s/m of a slide."""
 LIMIT_SOLREF = (0.01, 1.0)
-LOCKED_PLAY = {"fridge": 0.0005, "drawers": 0.0005}
+LOCKED_PLAY = 0.0005
 """How far a locked part gives, rad or m. A huge friction would creep instead."""
 SEAL_HOLDS_RAD, SEAL_ENDS_RAD = np.deg2rad(1.0), np.deg2rad(3.0)
 """A magnetic seal pulls fully up to the first angle, and fades out to the second."""
 
 
-def part_joint(piece: Furniture) -> str:
+def part_joint(moving: Moving) -> str:
     """Name of the joint that a door or drawer moves on."""
-    return in_simulator(f"{piece.name}/opens")
+    return in_simulator(f"{moving.name}/opens")
 
 
-def part_body(piece: Furniture) -> str:
+def part_body(moving: Moving) -> str:
     """Name of the body of a door or drawer."""
-    return in_simulator(f"{piece.name}/part")
+    return in_simulator(f"{moving.name}/part")
 
 
-def add_moving_part(spec: mujoco.MjSpec, piece: Furniture, description: RobotDescription) -> None:
-    """Put the door or drawer of a piece of furniture into the world."""
-    part, door = articulated.moving_part(piece), piece.kind == "fridge"
-    solids = articulated.moving_solids(piece)
-    body = spec.worldbody.add_body(name=part_body(piece))
-    closed = furniture.floor_pose(piece) @ articulated.furniture_T_part(piece)
-    _place(body, closed)
+def add_moving_part(
+    spec: mujoco.MjSpec, piece: Furniture, moving: Moving, description: RobotDescription
+) -> None:
+    """Put a door or drawer of a piece of furniture into the world."""
+    part, door, solids = moving.part, moving.part.hinge is not None, moving.solids
+    body = spec.worldbody.add_body(name=part_body(moving))
+    _place(body, furniture.floor_pose(piece) @ moving.furniture_T_part)
     kind = mujoco.mjtJoint.mjJNT_HINGE if door else mujoco.mjtJoint.mjJNT_SLIDE
-    axis = [0.0, 0.0, -articulated.hinge_side(piece)] if door else [-1.0, 0.0, 0.0]
-    farthest = LOCKED_PLAY[piece.kind] if part.locked else articulated.opens_to(piece)
+    axis = [0.0, 0.0, -moving.side] if door else [-1.0, 0.0, 0.0]
+    farthest = LOCKED_PLAY if part.locked else moving.travel
     joint = body.add_joint(
-        name=part_joint(piece),
+        name=part_joint(moving),
         type=kind,
         axis=axis,
         range=[0.0, farthest],
@@ -124,15 +125,13 @@ class FurnitureForces:
                 found = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name))
                 self.qpos[control_name(piece, control)] = int(model.jnt_qposadr[found])
                 data.qpos[int(model.jnt_qposadr[found])] = control.at
-            if piece.opens is None:
-                continue
-            joint = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, part_joint(piece)))
-            qpos, dof = int(model.jnt_qposadr[joint]), int(model.jnt_dofadr[joint])
-            self.qpos[piece.name], self.dof[piece.name] = qpos, dof
-            data.qpos[qpos] = piece.opens.opening
-            if piece.opens.seal_n > 0.0:
-                lever_m = piece.size_m[1] - piece.opens.handle_inset_m
-                self._seals.append(_Gasket(qpos, dof, piece.opens.seal_n * lever_m))
+            for moving in moving_parts(piece):
+                joint = int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, part_joint(moving)))
+                qpos, dof = int(model.jnt_qposadr[joint]), int(model.jnt_dofadr[joint])
+                self.qpos[moving.name], self.dof[moving.name] = qpos, dof
+                data.qpos[qpos] = moving.part.opening
+                if moving.part.seal_n > 0.0:
+                    self._seals.append(_Gasket(qpos, dof, moving.part.seal_n * moving.lever_m))
 
     def apply(self) -> None:
         """Set the seals' pull for the next control period."""

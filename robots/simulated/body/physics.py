@@ -11,7 +11,8 @@ from kinematics.geometry.poses import Transform
 from kinematics.model.robot_description import RobotDescription
 from robots.errors import DescriptionError, SceneError
 from robots.interface.hardware import RobotData
-from robots.scenes import articulated, furniture
+from robots.scenes import furniture
+from robots.scenes.moving_parts import moving_parts
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.body_model import ROOT_JOINT, body, finger_links, pad_name, robot_spec
 from robots.simulated.body.control_model import control_name
@@ -144,8 +145,8 @@ class Physics:
         moving = {
             solid.name: Role.HANDLE if solid.grasped else Role.FURNITURE
             for piece in scene.furniture
-            if piece.opens is not None
-            for solid in articulated.moving_solids(piece)
+            for part in moving_parts(piece)
+            for solid in part.solids
         }
         moving |= {
             control_name(piece, control): Role.HANDLE

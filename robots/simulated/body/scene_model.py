@@ -12,6 +12,7 @@ from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.robot_description import RobotDescription
 from robots.scenes import furniture
 from robots.scenes.hollow import hollow_parts
+from robots.scenes.moving_parts import moving_parts
 from robots.scenes.scene_description import SceneDescription, SceneItem
 from robots.scenes.scene_words import COLORS
 from robots.simulated.body.body_model import (
@@ -63,8 +64,8 @@ def add_scene(spec: mujoco.MjSpec, scene: SceneDescription, description: RobotDe
             _place(geom, solid.world_T_solid)
             set_role(geom, Role.FURNITURE)
             geom.friction = [piece.friction, 0.005, 0.0001]
-        if piece.opens is not None:
-            add_moving_part(spec, piece, description)
+        for moving in moving_parts(piece):
+            add_moving_part(spec, piece, moving, description)
         add_controls(spec, piece, description)
     for person in scene.people:
         add_person(spec, person)

@@ -10,6 +10,7 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from robots.scenes.furniture_names import BUTTON, KNOB
+from robots.simulated.importing.as_opening import movable, names_of, opening_values
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
 from robots.simulated.importing.openings import Opening
@@ -32,19 +33,29 @@ def fixture_values(foreign: Foreign, piece: FoundPiece, ground_m: float) -> tupl
     """
     controls = [one for one in piece.openings if one.kind in (KNOB, BUTTON)]
     own = {one.body for one in controls}
-    shut = [one for one in piece.openings if one.body not in own]
     yaw = _front_yaw(piece)
     to_own = poses.rotation_z(-yaw)
+    others = [one for one in piece.openings if one.body not in own]
+    stuck = movable(foreign, others, to_own)
+    told = list(stuck.values())
+    shut = [one for k, one in enumerate(others) if k in stuck]
+    moving = [one for k, one in enumerate(others) if k not in stuck]
     bodies = [*piece.bodies, *(each for one in shut for each in _with_children(foreign, one.body, own))]
     clouds = [foreign.corners(geom) @ to_own.T for geom in foreign.solid_geoms(bodies)]
+    parts = [
+        [
+            np.maximum(foreign.corners(geom) @ to_own.T, (-np.inf, -np.inf, ground_m))
+            for geom in foreign.solid_geoms(_with_children(foreign, one.body, own))
+        ]
+        for one in moving
+    ]
     if not clouds:
         clouds = [np.array([piece.low, piece.high]) @ poses.rotation_z(piece.yaw_rad - yaw).T]
-    told = [f"its {one.kind} {foreign.name(one.body)} does not move here" for one in shut]
     if len(clouds) > _MOST_BOXES:
         told.append(f"{len(clouds) - _MOST_BOXES} of its {len(clouds)} solids are left out, the smallest")
         clouds = sorted(clouds, key=lambda cloud: -float(np.prod(np.ptp(cloud, axis=0))))[:_MOST_BOXES]
     clouds = [np.maximum(cloud, (-np.inf, -np.inf, ground_m)) for cloud in clouds]
-    every = np.concatenate(clouds)
+    every = np.concatenate([*clouds, *(cloud for part in parts for cloud in part)])
     low, high = every.min(axis=0), every.max(axis=0)
     middle = 0.5 * (low + high)
     place = to_own.T @ middle
@@ -60,8 +71,14 @@ def fixture_values(foreign: Foreign, piece: FoundPiece, ground_m: float) -> tupl
     said = _controls(foreign, controls, to_own, origin)
     if said:
         values["control"] = said
-    if parts := region_values(regions_of(foreign, piece), to_own, origin, values["box"]):
-        values["region"] = parts
+    names = names_of(moving, to_own)
+    if moving:
+        values["opening"] = [
+            opening_values(foreign, one, name, part, to_own, origin)
+            for one, name, part in zip(moving, names, parts, strict=True)
+        ]
+    if regions := region_values(regions_of(foreign, piece), to_own, origin, values["box"]):
+        values["region"] = regions
     return values, told
 
 

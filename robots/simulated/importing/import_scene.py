@@ -153,12 +153,20 @@ def _start(start: tuple[float, float, float] | None) -> list[str]:
 def _tables(group: str, named: list[tuple[str, dict[str, Any]]]) -> list[str]:
     lines: list[str] = []
     for name, values in named:
-        said = {"name": name, **values}
-        lines += ["", f"[[{group}]]"]
-        lines += [f"{key} = {toml_text(value)}" for key, value in said.items() if not _several(value)]
-        for key, value in said.items():
-            for one in value if _several(value) else ():
-                lines += [f"[[{group}.{key}]]", *(f"{k} = {toml_text(v)}" for k, v in one.items())]
+        lines += ["", *_table(f"[[{group}]]", group, {"name": name, **values})]
+    return lines
+
+
+def _table(head: str, path: str, values: Mapping[str, Any]) -> list[str]:
+    """A table and those in it; its own keys come first."""
+    lines = [head]
+    plain = {key: value for key, value in values.items() if not (_several(value) or isinstance(value, dict))}
+    lines += [f"{key} = {toml_text(value)}" for key, value in plain.items()]
+    for key, value in values.items():
+        if isinstance(value, dict):
+            lines += _table(f"[{path}.{key}]", f"{path}.{key}", value)
+        for one in value if _several(value) else ():
+            lines += _table(f"[[{path}.{key}]]", f"{path}.{key}", one)
     return lines
 
 

@@ -17,8 +17,11 @@ from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.robot_description import Hand
 from robots.perception.truth_view import TrueObject
-from robots.scenes import articulated, furniture
+from robots.scenes import furniture
+from robots.scenes.articulated import MovingSolid
 from robots.scenes.fixture import control_solid
+from robots.scenes.furniture_names import own_name
+from robots.scenes.moving_parts import Moving, moving_parts
 from robots.scenes.person_solid import person_solid
 from robots.scenes.scene_description import Furniture, Person, SceneItem, told_names
 from robots.simulated.body.control_model import control_body, control_name
@@ -59,11 +62,11 @@ class SimulatorTruth:
             for person in physics.scene.people
         )
         self._parts = tuple(
-            (TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, solid.part_T_solid), body)
+            (_part_seen_as(piece, part, solid), body)
             for piece in physics.scene.furniture
-            if piece.opens is not None
-            for body in (physics.body_id(part_body(piece)),)
-            for solid in articulated.moving_solids(piece)
+            for part in moving_parts(piece)
+            for body in (physics.body_id(part_body(part)),)
+            for solid in part.solids
             if solid.kind
         )
         self._parts += tuple(
@@ -123,6 +126,9 @@ class SimulatorTruth:
 
     def opening(self, furniture_name: str) -> float:
         """How far a door, rad, or a drawer, m, is open; of "stove/knob" how far it is turned, or pressed.
+
+        Args:
+            furniture_name: "fridge"; of what has several of them "wooden cabinet/top drawer".
 
         Raises:
             KeyError: The scene has no such furniture, or it does not open.
@@ -315,6 +321,14 @@ def _fixed_of(piece: Furniture) -> Iterator[TrueObject]:
     for region, plate in zip(piece.regions, furniture.region_plates(piece), strict=True):
         name = region.name.lower()
         yield TrueObject(plate.name, "furniture", name, None, plate.shape, plate.world_T_solid)
+
+
+def _part_seen_as(piece: Furniture, part: Moving, solid: MovingSolid) -> TrueObject:
+    """What a camera is shown of a door or drawer, where its own frame has it."""
+    of = own_name(piece.name, piece.kind) or piece.kind
+    front = part.known_front(furniture.floor_pose(piece), solid, of)
+    pose = solid.part_T_solid
+    return TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, pose, front=front)
 
 
 def _seen_as(item: SceneItem) -> TrueObject:

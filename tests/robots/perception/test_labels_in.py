@@ -6,7 +6,8 @@ import pytest
 from robots.clock import ManualClock
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
-from robots.perception.stub import PerceptionStub, labels_in
+from robots.perception.stub import PerceptionStub
+from robots.perception.told_labels import labels_in
 from robots.scenes.scene_file import known_scenes, load_scene
 from robots.simulated.world import build_world
 

@@ -3,7 +3,7 @@
 import pytest
 
 from robots.errors import SceneError
-from robots.perception.stub import told_labels
+from robots.perception.told_labels import told_labels
 from robots.scenes.scene_description import told_names
 from robots.scenes.scene_file import read_scene
 from robots.scenes.scene_writer import dump

@@ -53,7 +53,7 @@ _SEEDS: tuple[ControlMessage, ...] = (
     Heartbeat(1, 0.0, True, True, True, 1),
     Admit(2, 0.0, 1, 1),
     Start(3, 0.0, 1, 1),
-    Guarded(4, 0.0, 2, "close gripper", "left"),
+    Guarded(4, 0.0, 2, "close gripper", "left", 0.0),
     CancelMotion(5, 1, "why"),
     Lead(6, 0.0, 3, 1),
     Walk(7, 0.0, 4),

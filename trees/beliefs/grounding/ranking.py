@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
+
+import numpy as np
 
 from trees.beliefs.grounding.choice_words import CLEARLY_LARGER
 from trees.beliefs.grounding.spatial_relation import APART_M
@@ -130,8 +132,16 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
         raise UntellableError(f"which one is the {ordinal.replace('_', ' ')} one?", fitting)
     if number > len(fitting):
         raise NoneFitsError(f"no {noun} seen; {there_are(len(fitting))} of the kind", True)
+    if len(words) == 1 and _is_column(fitting):
+        return _nth(fitting, lambda thing: -thing.top_m, number)
     sign = 1.0 if side == "right" else -1.0
     return _nth(fitting, lambda thing: sign * float(thing.place_m[1]), number)
+
+
+def _is_column(things: Sequence[BelievedThing]) -> bool:
+    """Whether things are above one another, as the drawers of a chest are, and not beside."""
+    places = np.array([thing.place_m for thing in things])
+    return float(np.ptp(places[:, 2])) > float(np.linalg.norm(np.ptp(places[:, :2], axis=0)))
 
 
 def wrong_side(ordinal: str, only: BelievedThing) -> str | None:

@@ -15,8 +15,9 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.model.robot_description import Hand
+from kinematics.scene.known_front import KnownFront
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
-from kinematics.scene.planning_scene import PlanningScene
+from kinematics.scene.planning_scene import FLOOR, PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
 from trees.beliefs.scene.furniture_pieces import gap_to_solid_m
@@ -43,11 +44,17 @@ SHUT: Mapping[str, float] = {DOOR: math.radians(2.5), DRAWER: 0.02}
 """Less open than this is closed, as far as a look can tell."""
 CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
 """Where a handle is led to close: somewhat beyond, for what the opening was misjudged by."""
+_OPEN_SHARE = 0.92
+"""Of the whole way of a short drawer, or of a door that opens less far than others."""
+_ABOUT_BAR_M = 0.12
+"""Farther from a bar no finger is that takes hold of it."""
 _PANEL_TO_BODY_M = 0.02
 _PAIRED_M = 1.0
 """A handle belongs to the nearest front within this."""
 _SAME_FRONT_M = 0.2
 """A front that is farther than this from a handle's way is another one."""
+_SHUT_WITHIN_M = 0.04
+"""Of what is known by a model: where two looks have one and the same front while it is shut."""
 _ONE_BODY_M = 0.1
 """Solids of one piece are as near to its front but for this."""
 
@@ -65,6 +72,7 @@ class HandleTarget:
         unit: The unit that people are told ``opening`` in.
         pushed: Whether a hand pushes against the front, instead of taking hold of the bar; ``handle`` is
             the front itself where the bar is out of sight.
+        front: What is known of it by a model of its piece; None where it is one of the usual kinds.
     """
 
     kind: Literal["door", "drawer"]
@@ -74,6 +82,18 @@ class HandleTarget:
     opening: float
     hands: tuple[Hand, ...]
     pushed: bool = False
+    front: KnownFront | None = None
+
+    @property
+    def open_to(self) -> float:
+        """How far it is opened, rad or m."""
+        usual = OPEN_TO[self.kind]
+        return usual if self.front is None else min(usual, _OPEN_SHARE * self.front.travel)
+
+    @property
+    def open_enough(self) -> float:
+        """From where on it counts as open, rad or m."""
+        return self.open_to * (OPEN_ENOUGH[self.kind] / OPEN_TO[self.kind])
 
     @property
     def unit(self) -> str:
@@ -91,6 +111,31 @@ def without_inside(scene: PlanningScene) -> PlanningScene:
         if kind_of(name) in INSIDE_KINDS:
             scene = scene.without_object(name)
     return scene
+
+
+def beside_bar(target: HandleTarget, scene: PlanningScene) -> tuple[str, ...]:
+    """What is fixed around the bar of what is known by a model, its own front and itself left out.
+
+    Fingers that open no wider than what is there may come near it: the next drawer's handle, the table.
+    """
+    if target.front is None or target.handle not in scene.objects:
+        return ()
+    place = scene.objects[target.handle].world_T_object[:3, 3]
+    return tuple(
+        name
+        for name, item in sorted(scene.objects.items())
+        if not item.movable
+        and name not in (target.handle, target.part, FLOOR)
+        and kind_of(name) not in INSIDE_KINDS
+        and _away_m(place, item.world_T_object, item.shape) <= _ABOUT_BAR_M
+    )
+
+
+def _away_m(place_m: NDArray[np.float64], odom_T_solid: Transform, shape: Shape) -> float:
+    """How far a place, shape (3,), is from the box about a solid."""
+    size = shape.size_m if isinstance(shape, Box) else (*2 * (2.0 * shape.radius_m,), shape.height_m)
+    local = np.abs((place_m - odom_T_solid[:3, 3]) @ odom_T_solid[:3, :3])
+    return float(np.linalg.norm(np.maximum(local - 0.5 * np.array(size), 0.0)))
 
 
 def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = None) -> list[HandleTarget]:
@@ -116,15 +161,20 @@ def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = Non
     return found
 
 
-def _misfit_m(target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape) -> float:
+def _misfit_m(
+    target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape, front: KnownFront | None
+) -> float:
     """How far a front is from where that of a handle can be, however far it is open.
 
     Args:
         target: The handle.
         centre_m: Of the front, shape (3,).
         shape: The front's.
+        front: What is known of it by a model.
     """
     path = target.path
+    if front is not None and target.front is not None:
+        return _SAME_FRONT_M * math.dist(front.shut[:3, 3], target.front.shut[:3, 3]) / _SHUT_WITHIN_M
     if isinstance(path, DoorArc):
         half_m = 0.5 * shape.size_m[1] if isinstance(shape, Box) else 0.0
         return abs(float(np.linalg.norm(centre_m[:2] - path.hinge_m)) - half_m)
@@ -138,7 +188,7 @@ def same_front(
 ) -> HandleTarget | None:
     """Of the fronts that a look saw that of a handle, if it is there."""
     away = [
-        (_misfit_m(target, item.world_T_object[:3, 3], item.shape), one.part, one)
+        (_misfit_m(target, item.world_T_object[:3, 3], item.shape, item.front), one.part, one)
         for one in fronts
         if one.kind == target.kind and (item := scene.objects.get(one.part)) is not None
     ]
@@ -163,9 +213,13 @@ def opening_in(
     listed = list(estimates)
     fronts = [item for item in listed if item.kind == kind]
     if target is not None:
-        away = [(_misfit_m(target, item.odom_T_object[:3, 3], item.shape), item) for item in fronts]
+        away = [
+            (_misfit_m(target, item.odom_T_object[:3, 3], item.shape, item.front), item) for item in fronts
+        ]
         fronts = [item for off_m, item in sorted(away, key=lambda one: one[0]) if off_m <= _SAME_FRONT_M]
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
+    if fronts and fronts[0].front is not None:
+        return opening_of(kind, fronts[0], [])
     if not bodies and known is not None:
         believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
         bodies = [(item.world_T_object, item.shape) for item in believed]
@@ -189,7 +243,15 @@ def top_of_nearest(
 
 
 def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, Shape]]) -> float:
-    """How far a front is open, from its pose and those of what it closes; x of all points inwards."""
+    """How far a front is open, from its pose and those of what it closes; x of all points inwards.
+
+    Args:
+        kind: "door" or "drawer".
+        front: Its front.
+        bodies: Of what is known by a model none is needed.
+    """
+    if front.front is not None:
+        return _opening_by_model(front.odom_T_object, front.front)
     body, shape = top_of_nearest(front.odom_T_object[:3, 3], bodies)
     yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
@@ -199,6 +261,14 @@ def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, S
     depth_m = shape.size_m[0] if isinstance(shape, Box) else 0.0
     to_front_m = float((body[:3, 3] - front.odom_T_object[:3, 3]) @ inwards)
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
+
+
+def _opening_by_model(odom_T_front: Transform, front: KnownFront) -> float:
+    """How far a front is from where a model has it shut."""
+    shut_T_front = poses.inverse(front.shut) @ odom_T_front
+    if front.side:
+        return max(0.0, -front.side * poses.yaw_of(shut_T_front[:3, :3]))
+    return max(0.0, -float(shut_T_front[0, 3]))
 
 
 def _target(
@@ -212,7 +282,7 @@ def _target(
     kind = kind_of(part)
     listed = list(seen)
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
-    opening = opening_of(kind, front, bodies) if bodies else 0.0
+    opening = opening_of(kind, front, bodies) if bodies or front.front is not None else 0.0
     place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
     inwards, left = panel[:3, 0], panel[:3, 1]
     if (place - panel[:3, 3]) @ inwards > 0.0:  # a handle is in front of what it opens
@@ -223,10 +293,19 @@ def _target(
         aside_m = body.to(PlanarPose(float(place[0]), float(place[1]))).y_m
         first: Hand = "left" if aside_m > 0.0 else "right"
         return HandleTarget(
-            DRAWER, name, part, line, opening, (first, "right" if first == "left" else "left")
+            DRAWER,
+            name,
+            part,
+            line,
+            opening,
+            (first, "right" if first == "left" else "left"),
+            front=front.front,
         )
     side = -1.0 if (place - panel[:3, 3]) @ left > 0.0 else 1.0
     width_m = front.shape.size_m[1] if isinstance(front.shape, Box) else 0.0
     hinge = panel[:2, 3] + 0.5 * width_m * side * left[:2]
+    if front.front is not None:
+        side, hinge = front.front.side, (panel @ np.array([*front.front.hinge_m, 0.0, 1.0]))[:2]
     arc = DoorArc(hinge, yaw + side * opening, side, 0.0, 0.0, 0.0).through(place, opening)
-    return HandleTarget(DOOR, name, part, arc, opening, ("left" if side > 0.0 else "right",))
+    hands: tuple[Hand, ...] = ("left" if side > 0.0 else "right",)
+    return HandleTarget(DOOR, name, part, arc, opening, hands, front=front.front)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
-from kinematics.scene.planning_scene import PlanningScene
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, PART_KINDS
 from trees.beliefs.openings.handles import BODY_OF, INSIDE_KINDS
@@ -23,6 +23,8 @@ _SAME_EDGE_M = 0.2
 _SAME_LINE_M = 0.25
 """What is believed of the odometry is off by less, and the next front is farther away."""
 _SAME_YAW_RAD = 0.1
+_SHUT_WITHIN_M = 0.04
+"""Drawers of one chest are farther from each other."""
 _AT_ONE_PLACE_M = 0.15
 
 
@@ -38,11 +40,7 @@ def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate
     gone = {
         name
         for name, item in fronts.items()
-        if any(
-            one.kind == kind_of(name)
-            and _is_same(one.kind, item.world_T_object, item.shape, one.odom_T_object, one.shape)
-            for one in fresh
-        )
+        if any(one.kind == kind_of(name) and _is_one(item, one) for one in fresh)
     }
     for name, item in known.items():
         if name in fronts:
@@ -59,6 +57,13 @@ def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate
     for name in gone:
         scene = scene.without_object(name)
     return scene
+
+
+def _is_one(item: SceneObject, seen: ObjectEstimate) -> bool:
+    """Whether a front that was known is one that was seen: of models, by where it is shut."""
+    if item.front is not None and seen.front is not None:
+        return math.dist(item.front.shut[:3, 3], seen.front.shut[:3, 3]) <= _SHUT_WITHIN_M
+    return _is_same(seen.kind, item.world_T_object, item.shape, seen.odom_T_object, seen.shape)
 
 
 def _nearest(pose: Transform, fronts: dict[str, Transform]) -> str | None:

@@ -317,6 +317,7 @@ def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sce
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
         label=label.get(estimate.category),
+        front=estimate.front,
     )
 
 

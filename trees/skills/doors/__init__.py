@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from trees.skill import After, Need, Skill, Written
@@ -33,13 +34,15 @@ def _about(written: Written) -> str | None:
     handle = written("handle")
     if handle is None:
         return None
-    return str(handle.part) if handle.kind == DRAWER else BODY_OF[handle.kind]
+    if handle.kind == DRAWER:
+        return str(handle.part)
+    return BODY_OF[handle.kind] if handle.front is None else str(handle.front.of)
 
 
-def _refuses(task: OpenTask | CloseTask) -> str:
+def _refuses(task: OpenTask | CloseTask, labels: Collection[str] | None) -> str:
     from trees.skills.doors.meant_part import opens_nothing
 
-    return opens_nothing(task)
+    return opens_nothing(task, labels)
 
 
 SKILLS = (

@@ -12,7 +12,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.meant_part import kind_meant, meant_part
+from trees.skills.doors.meant_part import meant_part, those_meant
 from trees.skills.doors.pushed_front import known_parts
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
@@ -52,10 +52,9 @@ class ChooseHandle(Leaf):
         task: OpenTask | CloseTask = self.get_input("task")
         wanted, first = task.object, self.get_input("seen")
         named = isinstance(wanted, ObjectDescription) and wanted.name is not None
-        _, kind = kind_meant(task)
         drawers = self.toolbox.model.description.pushing.drawers
         known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed, drawers)
-        fitting = [item for item in known if kind in (None, item.kind)]
+        fitting = those_meant(task, known, self.toolbox.places)
         chosen = first if named or not fitting else meant_part(task, fitting, self.toolbox)
         if isinstance(chosen, Failure):
             return chosen

@@ -11,14 +11,14 @@ from kinematics.scene.planning_scene import SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.furniture_called import is_said_of
-from trees.beliefs.openings.handles import BODY_OF, HandleTarget, handles_in, same_front
-from trees.beliefs.scene.scene_update import kind_of, words_for
+from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, HandleTarget, handles_in, same_front
+from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, words_for
 from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.meant_part import kind_meant, meant_part, misnamed, opens_nothing
+from trees.skills.doors.meant_part import meant_part, misnamed, noun_of, opens_nothing, those_meant, whole_of
 from trees.skills.doors.pushed_front import fronts_in, with_known_bars
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
@@ -59,15 +59,11 @@ class DetectHandle(LookLeaf):
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         task: OpenTask | CloseTask = self.get_input("task")
         wanted = task.object
-        noun, kind = kind_meant(task)
-        if told := opens_nothing(task):
+        if told := opens_nothing(task, self.toolbox.detector.labels):
             return Failure.infeasible(told)
-        fitting = [item for item in self.candidates(update.seen) if kind in (None, item.kind)]
+        fitting = those_meant(task, self.candidates(update.seen), self.toolbox.places)
         if not fitting:
-            what = noun or "door or drawer"
-            if (owner := _without_any(wanted, update.seen)) is not None:
-                return Failure.infeasible(f"the {owner} has no {what} that I can open or close")
-            return Failure.postcondition(f"no handle of a {what} seen")
+            return self._unseen(task, update)
         named = wanted.name if isinstance(wanted, ObjectDescription) else None
         chosen = before.objects.get(named) if named is not None else None
         known: HandleTarget | None = self.optional("known")
@@ -90,20 +86,28 @@ class DetectHandle(LookLeaf):
         self.feedback_message = f"{handle.part}, open by {handle.shown(handle.opening):.2f} {handle.unit}"
         return DONE
 
+    def _unseen(self, task: OpenTask | CloseTask, update: SceneUpdate) -> Failure:
+        """Why a look shows none: what is named shows no front at all, or there may be one elsewhere."""
+        noun, places = noun_of(task), self.toolbox.places
+        what = noun or "door or drawer"
+        fronts = {item.front.of for item in update.scene.objects.values() if item.front is not None}
+        shown = {
+            words_for(one)
+            for one in update.seen.values()
+            if one.category == "furniture" and one.kind not in BODY_OF.values()
+        }
+        whole = whole_of(task, places) or (None if noun in MEANT_BY else noun)
+        bare = [name for name in sorted(shown - fronts) if whole and is_said_of(whole, name)]
+        if not bare:
+            return Failure.postcondition(f"no handle of a {what} seen")
+        if whole == noun:
+            return Failure.infeasible(f"the {bare[0]} has nothing that I can open or close")
+        return Failure.infeasible(f"the {bare[0]} has no {what} that I can open or close")
+
     def _away_m(self, item: HandleTarget, known: SceneObject) -> float:
         """How far a part is from where something was known to be."""
         part = self.toolbox.world.scene.objects[item.part]
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
-
-
-def _without_any(wanted: object, seen: Mapping[str, ObjectEstimate]) -> str | None:
-    """The furniture that a look shows, in which it is said to be, where it is none that opens; else None."""
-    relation = wanted.relation if isinstance(wanted, ObjectDescription) else None
-    if relation is None or relation.kind != "in":
-        return None
-    shown = (one for one in seen.values() if one.category == "furniture" and one.kind not in BODY_OF.values())
-    names = {words_for(one) for one in shown}
-    return next((name for name in sorted(names) if is_said_of(str(relation.to), name)), None)
 
 
 class DetectFront(DetectHandle):

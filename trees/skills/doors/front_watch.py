@@ -32,6 +32,14 @@ class FrontWatch:
         self._stood: dict[str, NDArray[np.float64]] = {
             kind_of(name): objects[name].world_T_object[:3, 3] for name in names if name in objects
         }
+        self._others = {
+            kind: [
+                item.world_T_object[:3, 3]
+                for name, item in objects.items()
+                if kind_of(name) == kind and name not in names
+            ]
+            for kind in self._stood
+        }
         self._since_s, self._sequence = toolbox.clock.now_s(), -1
         self._moved: list[float] = []
 
@@ -51,6 +59,8 @@ class FrontWatch:
                 continue
             place = (odom_T_camera @ detection.camera_T_object)[:3, 3]
             away_m = float(np.linalg.norm(place - stood))
+            if any(float(np.linalg.norm(place - other)) < away_m for other in self._others[detection.kind]):
+                continue  # that is the next drawer's
             nearest[detection.kind] = min(away_m, nearest.get(detection.kind, _SAME_M))
         farthest_m = max((away for away in nearest.values() if away < _SAME_M), default=0.0)
         self._moved = [*self._moved, farthest_m] if farthest_m > MOVED_M else []

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.ranking import wrong_side
-from trees.beliefs.openings.handles import MEANT_BY, OPEN_ENOUGH, SHUT, HandleTarget
+from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, SHUT, HandleTarget
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.failures import Failure
 from trees.readings.odometry import what_is_around
@@ -37,6 +38,8 @@ def meant_part(
     if (wrong := misnamed(task, fitting)) is not None:
         return wrong
     described = replace(_described(task), name=None)
+    if whole_of(task, toolbox.places) and all(item.front is not None for item in fitting):
+        described = replace(described, relation=None)
     around = what_is_around(toolbox)
     parts = {item.part: item for item in fitting}
     if described == ObjectDescription(described.kind):
@@ -71,22 +74,70 @@ def _described(task: OpenTask | CloseTask) -> ObjectDescription:
     return task.object if isinstance(task.object, ObjectDescription) else ObjectDescription()
 
 
-def kind_meant(task: OpenTask | CloseTask) -> tuple[str | None, str | None]:
-    """The noun that was said, and "door" or "drawer" where it means one; None for what was left open."""
-    noun = task.object.kind if isinstance(task.object, ObjectDescription) else None
-    return noun, None if noun is None else MEANT_BY.get(noun)
+def noun_of(task: OpenTask | CloseTask) -> str | None:
+    """What was said that is to be opened or closed; None where that was left open."""
+    return task.object.kind if isinstance(task.object, ObjectDescription) else None
 
 
-def opens_nothing(task: OpenTask | CloseTask) -> str:
-    """That what is named is neither a door nor a drawer, nor has one that this robot knows; else empty."""
-    noun, kind = kind_meant(task)
-    return "" if noun is None or kind else f"{with_article(noun)} is nothing that I can open or close"
+def those_meant(
+    task: OpenTask | CloseTask, items: Sequence[HandleTarget], places: Collection[str]
+) -> list[HandleTarget]:
+    """The doors and drawers of the kind that the noun means, and of the piece that is named.
+
+    "The microwave" means its door; "the drawer of the cabinet" one of the cabinet's.
+
+    Args:
+        task: What is to be done.
+        items: All that were seen.
+        places: Names of the rooms on the map.
+    """
+    noun, whole = noun_of(task), whole_of(task, places)
+    return [item for item in items if _is_of(whole, item) and _is_a(noun, item)]
+
+
+def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
+    """The piece that it is said to be in: "cabinet" of "the top drawer of the cabinet"; a room is none."""
+    relation = _described(task).relation
+    if relation is None or relation.kind != "in" or str(relation.to) in places:
+        return None
+    return str(relation.to)
+
+
+def _is_of(whole: str | None, item: HandleTarget) -> bool:
+    return whole is None or item.front is None or is_said_of(whole, item.front.of)
+
+
+def _is_a(noun: str | None, item: HandleTarget) -> bool:
+    if noun is None or noun == item.kind:
+        return True
+    if item.front is None:
+        return MEANT_BY.get(noun) == item.kind
+    return is_said_of(noun, item.front.of) or is_said_of(noun.removesuffix(f" {item.kind}"), item.front.of)
+
+
+def opens_nothing(task: OpenTask | CloseTask, labels: Collection[str] | None = None) -> str:
+    """That what is named is neither a door nor a drawer, nor has one that is known; else empty.
+
+    Args:
+        task: What is to be done.
+        labels: The words that perception can tell: "microwave door" says that microwaves have one.
+    """
+    noun = noun_of(task)
+    if noun is None or noun in MEANT_BY or any(_has(noun, label) for label in labels or ()):
+        return ""
+    return f"{with_article(noun)} is nothing that I can open or close"
+
+
+def _has(noun: str, label: str) -> bool:
+    """Whether a label is that of the door or drawer of what somebody names."""
+    of, _, part = label.rpartition(" ")
+    return part in BODY_OF and bool(of) and noun in (label, of, of.rpartition(" ")[2])
 
 
 def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:
     """Whether a door or drawer is as the task wants it."""
     if isinstance(task, OpenTask):
-        return item.opening >= OPEN_ENOUGH[item.kind]
+        return item.opening >= item.open_enough
     return item.opening <= SHUT[item.kind]
 
 

@@ -9,7 +9,7 @@ from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.drawer_inside import without_drawn
-from trees.beliefs.openings.handles import CLOSE_TO, OPEN_TO, HandleTarget
+from trees.beliefs.openings.handles import CLOSE_TO, HandleTarget, beside_bar
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
@@ -40,11 +40,12 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
         if target.pushed and target.kind == DOOR:
             lead_to = -toolbox.model.description.pushing.past_rad
         else:
-            lead_to = OPEN_TO[target.kind] if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+            lead_to = target.open_to if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+        scene = without_drawn(toolbox.world.scene)
         return HandleRequest(
             q_start=toolbox.motion.reference(),
             stance=toolbox.motion.stance(),
-            scene=without_drawn(toolbox.world.scene),
+            scene=scene,
             handle=target.handle,
             parts=tuple(dict.fromkeys((target.part, target.handle))),
             path=target.path,
@@ -54,6 +55,7 @@ class PlanHandle(PlanningLeaf[HandlePlan]):
             excluded=self.get_input("tried"),
             seed=int(toolbox.rng.integers(2**31)),
             pushed=target.part if target.pushed else "",
+            beside=() if target.pushed else beside_bar(target, scene),
         )
 
     def _hands(self, target: HandleTarget) -> tuple[Hand, ...]:

@@ -14,7 +14,7 @@ from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
 from trees.skills.doors.handle_standing import handle_standing_place
-from trees.skills.doors.meant_part import kind_meant, meant_part
+from trees.skills.doors.meant_part import meant_part, noun_of, those_meant
 from trees.skills.doors.pushed_front import known_parts
 from trees.tasks import CloseTask, OpenTask
 from trees.toolbox import Toolbox
@@ -57,11 +57,11 @@ class RecallHandle(Leaf):
         """Look it up."""
         toolbox = self.toolbox
         task: OpenTask | CloseTask = self.get_input("task")
-        noun, kind = kind_meant(task)
+        noun = noun_of(task)
         body = feet_pose(toolbox)
         drawers = toolbox.model.description.pushing.drawers
         targets = known_parts(toolbox.world.scene, body, self._pushed, drawers)
-        fitting = [item for item in targets if kind in (None, item.kind)]
+        fitting = those_meant(task, targets, toolbox.places)
         if not fitting:
             return Failure.postcondition(f"no {noun or 'door or drawer'} was seen before")
         chosen = meant_part(task, fitting, toolbox)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.beliefs.openings.handles import OPEN_ENOUGH, SHUT, HandleTarget, opening_in
+from trees.beliefs.openings.handles import SHUT, HandleTarget, opening_in
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -44,7 +44,7 @@ class VerifyOpening(LookLeaf):
         evidence["seen"] = seen is not None
         self.measured(**evidence)
         opening = isinstance(self.get_input("task"), OpenTask)
-        enough = best >= OPEN_ENOUGH[target.kind] if opening else best <= SHUT[target.kind]
+        enough = best >= target.open_enough if opening else best <= SHUT[target.kind]
         if not enough:
             state = "open" if opening else "closed"
             # before a hand has moved it, it did not fail to stay so

@@ -204,7 +204,7 @@ def test_there_is_one_commander_at_a_time(live):
 @pytest.mark.parametrize(
     "message",
     [Start(1, 0.0, 1, 1), Heartbeat(1, 0.0, True, False, False, 0), CancelMotion(1, 1, "x"),
-     Guarded(1, 0.0, 1, "close gripper", "left"), Offer(1, "Ana")],
+     Guarded(1, 0.0, 1, "close gripper", "left", 0.0), Offer(1, "Ana")],
     ids=lambda message: type(message).__name__,
 )  # fmt: skip
 def test_an_observer_cannot_command(live, message):
@@ -241,12 +241,12 @@ def test_anybody_can_stop_past_the_commander_and_it_latches_until_a_reset(live, 
     assert [stop.category for stop in live.stops] == [category]
     assert live.loop.motion.resting
     live.checker.answer = None
-    client.say(Guarded(*client.next(), 5, "open gripper", "left"))
+    client.say(Guarded(*client.next(), 5, "open gripper", "left", 0.0))
     live.run(0.1, beats(live, client))
     assert "emergency" in client.of("motion")[-1]["reason"]
     stranger.say(Reset("somebody"))
     live.run(0.01, beats(live, client))
-    client.say(Guarded(*client.next(), 6, "open gripper", "left"))
+    client.say(Guarded(*client.next(), 6, "open gripper", "left", 0.0))
     live.run(0.02, beats(live, client))
     assert [m["engaged"] for m in client.of("emergency")] == ["a person said so", ""]
     assert live.loop.emergency is None

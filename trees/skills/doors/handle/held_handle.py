@@ -13,7 +13,7 @@ from kinematics.scene.concessions import Concession, ConcessionReason, touching,
 from kinematics.scene.opening_path import OpeningPath
 from kinematics.scene.planning_scene import PlanningScene
 from trees.beliefs.openings.drawer_inside import without_drawn
-from trees.beliefs.openings.handles import HandleTarget
+from trees.beliefs.openings.handles import HandleTarget, beside_bar
 from trees.toolbox import Toolbox
 
 
@@ -47,7 +47,8 @@ def hand_concessions(
     """What the hand may touch at a handle, asked of whoever judges the step."""
     links = toolbox.model.description.grippers[grasp.hand].touch_links
     scene = without_drawn(toolbox.world.scene)
-    parts = [name for name in (target.part, target.handle) if name in scene.objects]
+    near = () if target.pushed else beside_bar(target, scene)
+    parts = [name for name in (target.part, target.handle, *near) if name in scene.objects]
     return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
 
 

@@ -13,7 +13,7 @@ from kinematics.following.opening_motion import scene_at
 from kinematics.scene.opening_measure import moved_by
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionHandle
-from trees.beliefs.openings.handles import INSIDE_KINDS, OPEN_TO, SHUT
+from trees.beliefs.openings.handles import INSIDE_KINDS, SHUT
 from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
@@ -104,7 +104,7 @@ class LeadHandle(YieldingLeaf):
         if report.outcome == "stuck":
             message = f"the {target.part} is stuck"
             return Failure.execution(message, **shown, **felt).because(Reason.STUCK)
-        shut, near = SHUT[target.kind], _SLIPPED_SHARE * OPEN_TO[target.kind]
+        shut, near = SHUT[target.kind], _SLIPPED_SHARE * target.open_to
         slipped = report.peak_pull_n >= _SLIPPED_AT_N and target.opening <= shut and opening < near
         if report.outcome == "lost" and slipped:
             message = f"the {target.part} is stuck: the hand slips off it"
