@@ -47,6 +47,8 @@ _OVERLAP = 0.8
 """Of the pads' length: so far apart are the depths at which short pads try, one attempt after the other."""
 # Slower than other reaches: what swings open is met before the eyes and the brake have done their part.
 _REACH_PACE = Pace(velocity=0.35, acceleration=0.6)
+_TILTS_RAD = (0.0, 0.4, 0.8)
+"""How far a hand comes from above to a bar that lies, and has something beside it: a table below."""
 _UPRIGHT: tuple[tuple[str, float], ...] = (("", 0.0),)
 _LYING: tuple[tuple[str, float], ...] = (("thumb up", 0.5 * math.pi), ("thumb down", -0.5 * math.pi))
 """How a hand is rolled that holds an upright bar, or one that lies."""
@@ -57,6 +59,9 @@ _BEFORE_FRONT_M = 0.004
 """Fingertips stay so far before the front on which the bar is."""
 _ON_PADS_M = 0.008
 """So much of the pads reaches beyond a bar's middle in any case."""
+_DEEPER = 0.4
+"""Of a short pad's half-length: so much deeper a bar is held that goes away when it is squeezed."""
+_TILTED = 0.1
 _ABOUT_BAR_M = 0.006
 """Fingers are so far from a bar before they close: what it is misjudged by."""
 _LED_IN = 6
@@ -128,11 +133,16 @@ class _HandleTask(PlanningTask):
         diameter = 2.0 * shape.radius_m if isinstance(shape, Cylinder) else 0.02
         place = bar.world_T_object[:3, 3]
         for hand in request.hands:
-            for turn in self._model.description.grippers[hand].bar.turns_rad:
-                yield from self._turned(hand, turn, heading, place, diameter)
+            gripper = self._model.description.grippers[hand]
+            tilts = _TILTS_RAD if request.beside and gripper.palm_side_m is None else _TILTS_RAD[:1]
+            if isinstance(request.path, DoorArc):
+                tilts = tilts[:1]
+            for tilt in tilts:
+                for turn in gripper.bar.turns_rad:
+                    yield from self._turned(hand, turn, tilt, heading, place, diameter)
 
     def _turned(
-        self, hand: Hand, turn: float, heading: float, place: Array, diameter: float
+        self, hand: Hand, turn: float, tilt: float, heading: float, place: Array, diameter: float
     ) -> Iterator[Grasp]:
         path, s = self.request.path, self.request.s_from
         gripper = self._model.description.grippers[hand]
@@ -148,8 +158,10 @@ class _HandleTask(PlanningTask):
         bar = np.array([gripper.bar.along_m, gripper.grasped_at_m(diameter), 0.0])
         deeper, deeper_m = self._depth(hand)
         for name, roll in rolls:
-            rotation = poses.rotation_z(yaw) @ poses.rotation_x(roll) @ poses.rotation_z(about)
-            label = f"bar {math.degrees(turn):+.0f}{' ' + name if name else ''}{deeper}"
+            lowered = poses.rotation_z(yaw) @ poses.rotation_y(tilt)
+            rotation = lowered @ poses.rotation_x(roll) @ poses.rotation_z(about)
+            above = f" {math.degrees(tilt):.0f} down" if tilt else ""
+            label = f"bar {math.degrees(turn):+.0f}{above}{' ' + name if name else ''}{deeper}"
             if key_of(hand, label) in self.request.excluded:
                 continue
             ahead = (deeper_m - short_m) * way_to_bar(gripper)
@@ -177,10 +189,17 @@ class _HandleTask(PlanningTask):
         around = [objects[name] for name in request.beside]
         if (front := objects.get(request.parts[0])) is not None:
             around = [item for item in around if stands_out(item, front, outward)]
+            if abs(float(pose[2, 0])) > _TILTED:  # one finger goes down between the bar and the front
+                around.append(front)
         opening_m = fitting_opening_m(gripper, pose, around, diameter + 2.0 * _ABOUT_BAR_M)
         if opening_m is None:
             return 0.0
         return None if opening_m >= gripper.max_opening_m else opening_m
+
+    def _beside(self, hand: Hand) -> tuple[str, ...]:
+        """What the fingers of a hand may come near: pads open no wider than fits; a palm cannot."""
+        palm = self._model.description.grippers[hand].palm_side_m
+        return self.request.beside if palm is None else ()
 
     def _depth(self, hand: Hand) -> tuple[str, float]:
         """How much deeper than it is seen the bar is looked for, in words and m: another way after each miss.
@@ -191,7 +210,9 @@ class _HandleTask(PlanningTask):
         if pad_m >= SEEN_WITHIN_M:
             return "", 0.0
         step_m = 2.0 * _OVERLAP * pad_m
-        ways = (("", 0.0), (" deeper", step_m), (" less deep", -step_m))
+        # what slides shut is squeezed out, and away, from before the middle of a pad
+        first_m = _DEEPER * pad_m if self.request.beside and self.request.s_to < self.request.s_from else 0.0
+        ways = (("", first_m), (" deeper", step_m), (" less deep", -step_m))
         missed = sum(key.startswith(f"{hand} ") for key in self.request.excluded)
         return ways[missed % len(ways)]
 
@@ -265,7 +286,7 @@ class _HandleTask(PlanningTask):
         if reach is None:
             return "no path to the handle"
         links = self._model.description.grippers[grasp.hand].touch_links
-        near = (*self.request.parts, *self.request.beside)
+        near = (*self.request.parts, *self._beside(grasp.hand))
         in_hand = touching(links, near, ConcessionReason.HANDLE_IN_HAND, "approach")
         first = self.first_step("reach", reach, _REACH_PACE)
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
@@ -276,5 +297,5 @@ class _HandleTask(PlanningTask):
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""
         links = self._model.description.grippers[hand].touch_links
-        near = (*self.request.parts, *self.request.beside)
+        near = (*self.request.parts, *self._beside(hand))
         return self.request.scene.allowing((link, part) for link in links for part in near)

@@ -15,7 +15,7 @@ from kinematics.errors import UnknownNameError
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from kinematics.scene.label import Label
 
 Pair = frozenset[str]
@@ -47,7 +47,7 @@ class SceneObject(Sealed):
             the perception error that a plan must survive.
         movable: Whether it may be grasped; furniture may not.
         label: What it is called besides; None where its name says it all. No plan depends on it.
-        front: Of a door or drawer that was recognised by a model of its piece: where it is when it is shut.
+        moves: Of what goes with a door or drawer that was recognised by a model of its piece; None else.
     """
 
     name: str
@@ -56,7 +56,7 @@ class SceneObject(Sealed):
     margin_m: float = 0.0
     movable: bool = True
     label: Label | None = None
-    front: KnownFront | None = None
+    moves: KnownPart | None = None
 
 
 def floor() -> SceneObject:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from robots.perception.position_error import PositionError
 
 Category = Literal["object", "furniture", "person"]
@@ -39,7 +39,7 @@ class Detection(Sealed):
         picture: A PNG file's bytes: the part of a picture that shows it, of what is so unsure that a person
             may be asked; None else.
         cut: Whether it goes on where nothing is measured, beyond the picture's edge: it is at least so large.
-        front: Of a door or drawer whose piece is recognised by a model of it; None else.
+        moves: Of a solid of a door or drawer whose piece is recognised by a model of it; None else.
     """
 
     category: Category
@@ -56,7 +56,7 @@ class Detection(Sealed):
     alike: tuple[str, ...] = ()
     picture: bytes | None = None
     cut: bool = False
-    front: KnownFront | None = None
+    moves: KnownPart | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from kinematics.scene.label import Label
 from robots.perception.detector import Category, Detection, PerceptionFrame
 from robots.perception.position_error import PositionError
@@ -56,7 +56,7 @@ class ObjectEstimate(Sealed):
         alike: What else an object may be called, as far as at least half of the frames tell.
         picture: The newest that a frame tells of what is unsure, as in ``Detection``; None else.
         cut: Whether no frame shows all of it: it is at least so large.
-        front: As in ``Detection``, in the odometry frame.
+        moves: As in ``Detection``, in the odometry frame.
     """
 
     category: Category
@@ -75,7 +75,7 @@ class ObjectEstimate(Sealed):
     alike: tuple[str, ...] = ()
     picture: bytes | None = None
     cut: bool = False
-    front: KnownFront | None = None
+    moves: KnownPart | None = None
 
     @property
     def label(self) -> Label:
@@ -163,9 +163,17 @@ class _Cluster:
             and detection.kind == self.first.kind
             and detection.name == self.first.name
             and self._may_be_called(detection)
+            and _is_part_of(detection, self.first)
             and type(detection.shape) is type(self.first.shape)
             and (detection.color is None or not colors or detection.color in colors)
         )
+
+
+def _is_part_of(detection: Detection, first: Detection) -> bool:
+    """Whether two detections may be of one door or drawer, as far as models tell that."""
+    if detection.moves is None or first.moves is None:
+        return detection.moves is first.moves
+    return detection.moves.is_of(first.moves)
 
 
 def fuse_frames(
@@ -256,7 +264,7 @@ def _estimate(cluster: _Cluster, frames: int) -> ObjectEstimate:
         alike=_alike(inliers, names),
         picture=inliers[-1].picture,
         cut=all(detection.cut for detection in inliers),
-        front=_front(cluster, near),
+        moves=_moves(cluster, near),
     )
 
 
@@ -272,21 +280,20 @@ def _error(cluster: _Cluster, inliers: Sequence[Detection]) -> PositionError | N
     return worst.averaged(len(told)).turned(cluster.camera[:3, :3])
 
 
-def _front(cluster: _Cluster, near: Sequence[int]) -> KnownFront | None:
-    """Where a door or drawer would be if it were shut: the mean of what the frames tell."""
+def _moves(cluster: _Cluster, near: Sequence[int]) -> KnownPart | None:
+    """Where a solid would be if its door or drawer were shut: the mean of what the frames tell."""
     told, shut = None, []
     for i in near:
         seen = cluster.detections[i]
-        if seen.front is None:
+        if seen.moves is None:
             return None
-        told = seen.front
-        odom_T_front = poses.transform(cluster.rotations[i], cluster.positions[i])
-        shut.append(odom_T_front @ poses.inverse(seen.camera_T_object) @ told.shut)
+        told = seen.moves
+        odom_T_solid = poses.transform(cluster.rotations[i], cluster.positions[i])
+        shut.append(odom_T_solid @ poses.inverse(seen.camera_T_object) @ told.shut)
     if told is None:
         return None
     rotation = _mean_rotation([pose[:3, :3] for pose in shut])
-    level = poses.rotation_z(poses.yaw_of(rotation))
-    return replace(told, shut=poses.transform(level, np.mean([pose[:3, 3] for pose in shut], axis=0)))
+    return replace(told, shut=poses.transform(rotation, np.mean([pose[:3, 3] for pose in shut], axis=0)))
 
 
 def _traits(seen: Sequence[Detection]) -> tuple[str, ...]:

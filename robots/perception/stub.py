@@ -30,7 +30,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
 from kinematics.model.camera_description import CameraDescription
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from robots.clock import Clock
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import alike_in_all_directions
@@ -38,7 +38,7 @@ from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
 from robots.perception.told_labels import front_label, told_labels
 from robots.perception.truth_view import TrueObject, TruthView
-from robots.scenes.articulated import PART_KINDS
+from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
 from robots.scenes.fixture import CONTROL_KINDS
 from robots.scenes.scene_description import PerceptionModel
 
@@ -217,7 +217,7 @@ class PerceptionStub:
                 names=solid.names,
                 categories=solid.categories,
                 traits=self._traits(solid),
-                front=self._front(solid, world_T_camera),
+                moves=self._moves(solid, world_T_camera),
                 error=alike_in_all_directions(
                     _declared(grown * model.bias_m),
                     _declared(grown * model.noise_m),
@@ -245,13 +245,13 @@ class PerceptionStub:
         told = self._traits_rng.random(len(solid.traits)) >= self._model.trait_dropout
         return tuple(trait for trait, kept in zip(solid.traits, told, strict=True) if kept)
 
-    def _front(self, solid: TrueObject, world_T_camera: Transform) -> KnownFront | None:
-        """Of what is recognised by its model: where the model has it shut, as far off as its piece is."""
-        if solid.front is None:
+    def _moves(self, solid: TrueObject, world_T_camera: Transform) -> KnownPart | None:
+        """Of what is recognised by its model: where that has it shut, as far off as its piece is."""
+        if solid.moves is None:
             return None
-        shut = solid.front.shut.copy()
+        shut = solid.moves.shut.copy()
         shut[:3, 3] += self._calibration_m + self._bias_m(solid.name.partition("/")[0])
-        return replace(solid.front, shut=poses.inverse(world_T_camera) @ shut)
+        return replace(solid.moves, shut=poses.inverse(world_T_camera) @ shut)
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""
@@ -302,8 +302,8 @@ def _called(truth: TruthView) -> Iterable[str]:
     """What the things of a world are called."""
     for solid in truth.solids():
         yield from (solid.kind, *solid.names, *solid.categories)
-        if solid.front is not None:
-            yield front_label(solid.front.of, solid.kind)
+        if solid.moves is not None and solid.kind in (DOOR, DRAWER):
+            yield front_label(solid.moves.of, solid.kind)
         if solid.category == "furniture" and solid.told_name is not None:
             yield solid.told_name
 

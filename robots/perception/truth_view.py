@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from kinematics.arrays import Sealed
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Shape
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from robots.perception.detector import Category
 from robots.scenes.furniture_names import own_name
 
@@ -30,7 +30,7 @@ class TrueObject(Sealed):
         shape: Its solid.
         world_T_object: Its pose, shape (4, 4).
         names, categories, traits: As in ``Detection``.
-        front: The same, with the pose in the world.
+        moves: The same, with the pose in the world.
     """
 
     name: str
@@ -42,7 +42,7 @@ class TrueObject(Sealed):
     names: tuple[str, ...] = ()
     categories: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
-    front: KnownFront | None = None
+    moves: KnownPart | None = None
 
     @property
     def told_name(self) -> str | None:

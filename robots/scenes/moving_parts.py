@@ -10,10 +10,9 @@ from kinematics.arrays import Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Cylinder
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from robots.scenes import articulated
 from robots.scenes.articulated import (
-    DOOR,
     DRAWER,
     DRAWER_BOTTOM,
     DRAWER_WALL,
@@ -65,13 +64,14 @@ class Moving(Sealed):
         moved = self.opened(self.part.opening)
         return np.asarray(world_T_furniture @ self.furniture_T_part @ moved @ solid.part_T_solid)
 
-    def known_front(self, world_T_furniture: Transform, solid: MovingSolid, of: str) -> KnownFront | None:
-        """What a detector tells with its front; None of any other solid, and of what it has no model of."""
-        if not self.recognised or solid.kind not in (DOOR, DRAWER):
+    def known_part(self, world_T_furniture: Transform, solid: MovingSolid, of: str) -> KnownPart | None:
+        """What a detector tells with one of its solids; None of what it has no model of."""
+        if not self.recognised:
             return None
-        hinge = tuple(map(float, poses.inverse(solid.part_T_solid)[:2, 3])) if self.side else (0.0, 0.0)
+        x, y = (float(value) for value in poses.inverse(solid.part_T_solid)[:2, 3])
         shut = np.asarray(world_T_furniture @ self.furniture_T_part @ solid.part_T_solid)
-        return KnownFront(shut, self.travel, of, self.side, (hinge[0], hinge[1]))
+        hinge_m = (x, y) if self.side else (0.0, 0.0)
+        return KnownPart(shut, self.travel, of, self.name.rpartition("/")[2], self.side, hinge_m)
 
 
 def moving_parts(item: Furniture) -> tuple[Moving, ...]:

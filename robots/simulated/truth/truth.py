@@ -326,9 +326,9 @@ def _fixed_of(piece: Furniture) -> Iterator[TrueObject]:
 def _part_seen_as(piece: Furniture, part: Moving, solid: MovingSolid) -> TrueObject:
     """What a camera is shown of a door or drawer, where its own frame has it."""
     of = own_name(piece.name, piece.kind) or piece.kind
-    front = part.known_front(furniture.floor_pose(piece), solid, of)
+    moves = part.known_part(furniture.floor_pose(piece), solid, of)
     pose = solid.part_T_solid
-    return TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, pose, front=front)
+    return TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, pose, moves=moves)
 
 
 def _seen_as(item: SceneItem) -> TrueObject:

@@ -97,7 +97,9 @@ def _run(suite: str, order: EpisodeOrder) -> EpisodeRecord:
     assembly = assemble(order.robot, trial.scene, order.seed, sink=sink, drawn=False, body=body_for(order))
     judge = SKILL_SUITES[suite].judge(assembly, trial, episode_rng(order.seed, 11))
     judges.append(judge)
-    watch = SafetyWatch(assembly.world.truth, lambda: assembly.loop.walking.active)
+    hands = assembly.model.description.grippers.values()
+    fingers = [link for gripper in hands for link in gripper.touch_links]
+    watch = SafetyWatch(assembly.world.truth, lambda: assembly.loop.walking.active, fingers, trial.opened)
     assembly.session.watch_periods(judge.on_period)
     assembly.session.watch_periods(watch.on_period)
     if order.fault is not None:

@@ -25,7 +25,7 @@ from tools.evaluate.skills import (
     walking,
 )
 from tools.evaluate.skills.suite import SkillSuite
-from tools.evaluate.upon import putting_things, regions_and_lids, stacking, things
+from tools.evaluate.upon import openings, putting_things, regions_and_lids, stacking, things
 
 SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
     {
@@ -43,6 +43,7 @@ SKILL_SUITES: Mapping[str, SkillSuite] = MappingProxyType(
         "things": things.THINGS,
         "in_place": things.IN_PLACE,
         "put_things": putting_things.PUT_THINGS,
+        "openings": openings.OPENINGS,
         "turn_knob": controls.TURN_KNOB,
         "press": controls.PRESS,
         "hand_over": handing_over.HAND_OVER,

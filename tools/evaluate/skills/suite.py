@@ -64,6 +64,7 @@ class Trial:
         sentence: What is said instead; ``tasks`` then only tell the judge what is meant by it.
         first: Asked before the sentence.
         given: Names of what people were given before; it moves with their hands.
+        opened: Piece whose doors and drawers fingers may touch.
         as_errand: Whether ``tasks`` are one errand, with what has to be done before each.
     """
 
@@ -73,6 +74,7 @@ class Trial:
     sentence: str = ""
     first: tuple[Task, ...] = ()
     given: tuple[str, ...] = ()
+    opened: str = ""
     as_errand: bool = False
 
 
@@ -107,6 +109,7 @@ class SkillSuite:
     def makes(self, scene: str | None, robot: str) -> Callable[[np.random.Generator], Trial] | None:
         """What makes its episodes in a scene, for a robot, both by their names; None where nothing does."""
         made = self.in_scene
-        if made is not None:
-            return None if scene is None else lambda rng: made(rng, scene, robot)
-        return {None: self.trial, "bench": self.on_bench, "low_tabletop": self.on_low}.get(scene)
+        own = {None: self.trial, "bench": self.on_bench, "low_tabletop": self.on_low}
+        if made is not None and (scene is None or own.get(scene) is None):
+            return self.trial if scene is None else lambda rng: made(rng, scene, robot)
+        return own.get(scene)

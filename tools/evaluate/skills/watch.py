@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 import numpy as np
 
@@ -27,14 +27,19 @@ class SafetyWatch:
             stands: who walks falls from one foot onto the other.
     """
 
-    def __init__(self, truth: SimulatorTruth, walks: Callable[[], bool]) -> None:
+    def __init__(
+        self, truth: SimulatorTruth, walks: Callable[[], bool], fingers: Collection[str], opened: str
+    ) -> None:
         """Begin to watch.
 
         Args:
             truth: The simulator's.
             walks: Whether a walk is under way.
+            fingers: Links of the robot that take hold of things.
+            opened: Piece whose doors and drawers they may touch; empty where there is none.
         """
         self._truth, self._walks = truth, walks
+        self._fingers, self._opened = frozenset(fingers), f"{opened}/" if opened else ""
         self._periods = 0
         self.fell = False
         self.contacts: set[str] = set()
@@ -49,12 +54,19 @@ class SafetyWatch:
             ):
                 if contact.second.endswith(_HAND_PARTS):
                     continue  # a person's hand moves by itself
+                if self._is_at_handle(contact.first, contact.second):
+                    continue
                 self.contacts.add(f"{contact.first} and {contact.second}")
         if self._periods % _EVERY == 0:
             self.fell = self.fell or self._truth.fallen()
             if not self._walks():
                 self.com_margin_m = min(self.com_margin_m, self._truth.com_margin_m())
         self._periods += 1
+
+    def _is_at_handle(self, link: str, solid: str) -> bool:
+        """Whether fingers touch the door or drawer of what is opened: "cabinet/top drawer/front"."""
+        opened = bool(self._opened) and solid.startswith(self._opened) and solid.count("/") > 1
+        return opened and link in self._fingers
 
 
 class Bystanders:

@@ -15,9 +15,9 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box, Shape
 from kinematics.model.robot_description import Hand
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
-from kinematics.scene.planning_scene import FLOOR, PlanningScene
+from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
 from trees.beliefs.scene.furniture_pieces import gap_to_solid_m
@@ -53,8 +53,6 @@ _PAIRED_M = 1.0
 """A handle belongs to the nearest front within this."""
 _SAME_FRONT_M = 0.2
 """A front that is farther than this from a handle's way is another one."""
-_SHUT_WITHIN_M = 0.04
-"""Of what is known by a model: where two looks have one and the same front while it is shut."""
 _ONE_BODY_M = 0.1
 """Solids of one piece are as near to its front but for this."""
 
@@ -72,7 +70,7 @@ class HandleTarget:
         unit: The unit that people are told ``opening`` in.
         pushed: Whether a hand pushes against the front, instead of taking hold of the bar; ``handle`` is
             the front itself where the bar is out of sight.
-        front: What is known of it by a model of its piece; None where it is one of the usual kinds.
+        moves: What is known of it by a model of its piece; None where it is one of the usual kinds.
     """
 
     kind: Literal["door", "drawer"]
@@ -82,13 +80,13 @@ class HandleTarget:
     opening: float
     hands: tuple[Hand, ...]
     pushed: bool = False
-    front: KnownFront | None = None
+    moves: KnownPart | None = None
 
     @property
     def open_to(self) -> float:
         """How far it is opened, rad or m."""
         usual = OPEN_TO[self.kind]
-        return usual if self.front is None else min(usual, _OPEN_SHARE * self.front.travel)
+        return usual if self.moves is None else min(usual, _OPEN_SHARE * self.moves.travel)
 
     @property
     def open_enough(self) -> float:
@@ -113,12 +111,19 @@ def without_inside(scene: PlanningScene) -> PlanningScene:
     return scene
 
 
+def goes_with(item: SceneObject, target: HandleTarget) -> bool:
+    """Whether a part of an open drawer goes with a front: all do, where no models tell several apart."""
+    if item.moves is None or target.moves is None:
+        return item.moves is target.moves
+    return item.moves.is_of(target.moves)
+
+
 def beside_bar(target: HandleTarget, scene: PlanningScene) -> tuple[str, ...]:
     """What is fixed around the bar of what is known by a model, its own front and itself left out.
 
     Fingers that open no wider than what is there may come near it: the next drawer's handle, the table.
     """
-    if target.front is None or target.handle not in scene.objects:
+    if target.moves is None or target.handle not in scene.objects:
         return ()
     place = scene.objects[target.handle].world_T_object[:3, 3]
     return tuple(
@@ -154,15 +159,23 @@ def handles_in(seen: Mapping[str, ObjectEstimate], body: PlanarPose | None = Non
         away = {
             front: float(np.linalg.norm(item.odom_T_object[:3, 3] - bar.odom_T_object[:3, 3]))
             for front, item in fronts.items()
+            if _may_have(item, bar)
         }
-        nearest = min(away, key=lambda front: (away[front], front))
-        if away[nearest] <= _PAIRED_M:
+        nearest = min(away, key=lambda front: (away[front], front), default="")
+        if nearest and away[nearest] <= _PAIRED_M:
             found.append(_target(name, bar, nearest, fronts[nearest], seen.values(), body))
     return found
 
 
+def _may_have(front: ObjectEstimate, bar: ObjectEstimate) -> bool:
+    """Whether a bar may be on a front, as far as models tell that."""
+    if front.moves is None or bar.moves is None:
+        return front.moves is bar.moves
+    return front.moves.is_of(bar.moves)
+
+
 def _misfit_m(
-    target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape, front: KnownFront | None
+    target: HandleTarget, centre_m: NDArray[np.float64], shape: Shape, moves: KnownPart | None
 ) -> float:
     """How far a front is from where that of a handle can be, however far it is open.
 
@@ -170,11 +183,11 @@ def _misfit_m(
         target: The handle.
         centre_m: Of the front, shape (3,).
         shape: The front's.
-        front: What is known of it by a model.
+        moves: What is known of it by a model.
     """
     path = target.path
-    if front is not None and target.front is not None:
-        return _SAME_FRONT_M * math.dist(front.shut[:3, 3], target.front.shut[:3, 3]) / _SHUT_WITHIN_M
+    if moves is not None and target.moves is not None:
+        return 0.0 if moves.is_same(target.moves) else math.inf
     if isinstance(path, DoorArc):
         half_m = 0.5 * shape.size_m[1] if isinstance(shape, Box) else 0.0
         return abs(float(np.linalg.norm(centre_m[:2] - path.hinge_m)) - half_m)
@@ -188,7 +201,7 @@ def same_front(
 ) -> HandleTarget | None:
     """Of the fronts that a look saw that of a handle, if it is there."""
     away = [
-        (_misfit_m(target, item.world_T_object[:3, 3], item.shape, item.front), one.part, one)
+        (_misfit_m(target, item.world_T_object[:3, 3], item.shape, item.moves), one.part, one)
         for one in fronts
         if one.kind == target.kind and (item := scene.objects.get(one.part)) is not None
     ]
@@ -214,11 +227,11 @@ def opening_in(
     fronts = [item for item in listed if item.kind == kind]
     if target is not None:
         away = [
-            (_misfit_m(target, item.odom_T_object[:3, 3], item.shape, item.front), item) for item in fronts
+            (_misfit_m(target, item.odom_T_object[:3, 3], item.shape, item.moves), item) for item in fronts
         ]
         fronts = [item for off_m, item in sorted(away, key=lambda one: one[0]) if off_m <= _SAME_FRONT_M]
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
-    if fronts and fronts[0].front is not None:
+    if fronts and fronts[0].moves is not None:
         return opening_of(kind, fronts[0], [])
     if not bodies and known is not None:
         believed = [item for name, item in known.objects.items() if kind_of(name) == BODY_OF[kind]]
@@ -250,8 +263,8 @@ def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, S
         front: Its front.
         bodies: Of what is known by a model none is needed.
     """
-    if front.front is not None:
-        return _opening_by_model(front.odom_T_object, front.front)
+    if front.moves is not None:
+        return _opening_by_model(front.odom_T_object, front.moves)
     body, shape = top_of_nearest(front.odom_T_object[:3, 3], bodies)
     yaw = poses.yaw_of(body[:3, :3])
     if kind == DOOR:
@@ -263,7 +276,7 @@ def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, S
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
 
 
-def _opening_by_model(odom_T_front: Transform, front: KnownFront) -> float:
+def _opening_by_model(odom_T_front: Transform, front: KnownPart) -> float:
     """How far a front is from where a model has it shut."""
     shut_T_front = poses.inverse(front.shut) @ odom_T_front
     if front.side:
@@ -282,7 +295,7 @@ def _target(
     kind = kind_of(part)
     listed = list(seen)
     bodies = [(item.odom_T_object, item.shape) for item in listed if item.kind == BODY_OF[kind]]
-    opening = opening_of(kind, front, bodies) if bodies or front.front is not None else 0.0
+    opening = opening_of(kind, front, bodies) if bodies or front.moves is not None else 0.0
     place, panel = bar.odom_T_object[:3, 3], front.odom_T_object
     inwards, left = panel[:3, 0], panel[:3, 1]
     if (place - panel[:3, 3]) @ inwards > 0.0:  # a handle is in front of what it opens
@@ -299,13 +312,15 @@ def _target(
             line,
             opening,
             (first, "right" if first == "left" else "left"),
-            front=front.front,
+            moves=front.moves,
         )
     side = -1.0 if (place - panel[:3, 3]) @ left > 0.0 else 1.0
     width_m = front.shape.size_m[1] if isinstance(front.shape, Box) else 0.0
     hinge = panel[:2, 3] + 0.5 * width_m * side * left[:2]
-    if front.front is not None:
-        side, hinge = front.front.side, (panel @ np.array([*front.front.hinge_m, 0.0, 1.0]))[:2]
+    if front.moves is not None:
+        side, hinge = front.moves.side, (panel @ np.array([*front.moves.hinge_m, 0.0, 1.0]))[:2]
     arc = DoorArc(hinge, yaw + side * opening, side, 0.0, 0.0, 0.0).through(place, opening)
-    hands: tuple[Hand, ...] = ("left" if side > 0.0 else "right",)
-    return HandleTarget(DOOR, name, part, arc, opening, hands, front=front.front)
+    hands: tuple[Hand, ...] = ("left", "right") if side > 0.0 else ("right", "left")
+    if front.moves is None:  # a large door is led by the hand on the side of its hinge alone
+        hands = hands[:1]
+    return HandleTarget(DOOR, name, part, arc, opening, hands, moves=front.moves)

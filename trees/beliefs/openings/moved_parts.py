@@ -23,24 +23,34 @@ _SAME_EDGE_M = 0.2
 _SAME_LINE_M = 0.25
 """What is believed of the odometry is off by less, and the next front is farther away."""
 _SAME_YAW_RAD = 0.1
-_SHUT_WITHIN_M = 0.04
-"""Drawers of one chest are farther from each other."""
+_MOVED_M = 0.04
+"""Two looks at one front that stays are nearer to each other."""
 _AT_ONE_PLACE_M = 0.15
 
 
 def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate]) -> PlanningScene:
     """A scene without the doors, drawers, handles and insides that a look has seen anew.
 
-    What belongs to another front stays: that of the fridge beside it.
+    What belongs to another front stays: that of the fridge beside it. What a model tells is known again,
+    wherever it is; of that goes what its front has taken along, out of sight.
     """
     moving = (*PART_KINDS, *INSIDE_KINDS)
     fresh = [item for item in estimates if item.kind in moving]
-    known = {name: item for name, item in scene.objects.items() if kind_of(name) in moving}
+    every = {name: item for name, item in scene.objects.items() if kind_of(name) in moving}
+    for name, item in every.items():
+        if _went_along(item, every.values(), fresh):
+            scene = scene.without_object(name)
+    known = {name: item for name, item in every.items() if item.moves is None}
+    fresh = [item for item in fresh if item.moves is None]
     fronts = {name: item for name, item in known.items() if kind_of(name) in BODY_OF}
     gone = {
         name
         for name, item in fronts.items()
-        if any(one.kind == kind_of(name) and _is_one(item, one) for one in fresh)
+        if any(
+            one.kind == kind_of(name)
+            and _is_same(one.kind, item.world_T_object, item.shape, one.odom_T_object, one.shape)
+            for one in fresh
+        )
     }
     for name, item in known.items():
         if name in fronts:
@@ -59,11 +69,20 @@ def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate
     return scene
 
 
-def _is_one(item: SceneObject, seen: ObjectEstimate) -> bool:
-    """Whether a front that was known is one that was seen: of models, by where it is shut."""
-    if item.front is not None and seen.front is not None:
-        return math.dist(item.front.shut[:3, 3], seen.front.shut[:3, 3]) <= _SHUT_WITHIN_M
-    return _is_same(seen.kind, item.world_T_object, item.shape, seen.odom_T_object, seen.shape)
+def _went_along(item: SceneObject, known: Iterable[SceneObject], fresh: Iterable[ObjectEstimate]) -> bool:
+    """Whether what was known of a door or drawer is not seen now, and its front is, elsewhere."""
+    moves, fresh = item.moves, [one for one in fresh if one.moves is not None]
+    if moves is None or any(one.moves is not None and one.moves.is_same(moves) for one in fresh):
+        return False
+    return any(
+        one.moves is not None
+        and front.moves is not None
+        and one.moves.is_same(front.moves)
+        and front.moves.is_of(moves)
+        and math.dist(front.world_T_object[:3, 3], one.odom_T_object[:3, 3]) > _MOVED_M
+        for front in known
+        for one in fresh
+    )
 
 
 def _nearest(pose: Transform, fronts: dict[str, Transform]) -> str | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -271,7 +272,7 @@ def _match(
 ) -> dict[str, ObjectEstimate]:
     """Pair names with estimates, nearest pairs first, each at most once."""
     pairs = sorted(
-        (float(np.linalg.norm(item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3])), name, i)
+        (_apart_m(item, estimate), name, i)
         for name, item in known.items()
         for i, estimate in enumerate(fresh)
     )
@@ -285,6 +286,15 @@ def _match(
             matched[name] = fresh[i]
             used.add(i)
     return matched
+
+
+def _apart_m(item: SceneObject, estimate: ObjectEstimate) -> float:
+    """How far apart two sightings are; of what moves on a piece with a model, while that is shut."""
+    if item.moves is None or estimate.moves is None:
+        return float(np.linalg.norm(item.world_T_object[:3, 3] - estimate.odom_T_object[:3, 3]))
+    if not item.moves.is_same(estimate.moves):
+        return math.inf
+    return math.dist(item.moves.shut[:3, 3], estimate.moves.shut[:3, 3])
 
 
 def _overlap(item: SceneObject, estimate: ObjectEstimate) -> bool:
@@ -317,7 +327,7 @@ def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> Sce
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
         label=label.get(estimate.category),
-        front=estimate.front,
+        moves=estimate.moves,
     )
 
 

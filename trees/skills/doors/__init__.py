@@ -36,7 +36,7 @@ def _about(written: Written) -> str | None:
         return None
     if handle.kind == DRAWER:
         return str(handle.part)
-    return BODY_OF[handle.kind] if handle.front is None else str(handle.front.of)
+    return BODY_OF[handle.kind] if handle.moves is None else str(handle.moves.of)
 
 
 def _refuses(task: OpenTask | CloseTask, labels: Collection[str] | None) -> str:

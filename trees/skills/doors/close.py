@@ -49,7 +49,7 @@ def close(toolbox: Toolbox) -> Behaviour:
 
 def _push_shut(toolbox: Toolbox) -> Behaviour:
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
-    come = come_to_handle(toolbox, _search("look again", toolbox))
+    come = come_to_handle(toolbox, lambda name: _search(name, toolbox))
     settled = choose_which(toolbox, DetectFront, pushed=True)
     main = sequence("push the front", _search_about(toolbox), settled, come, attempts)
     timed = Deadline("in time", main, time_limit_s(toolbox), toolbox.clock, toolbox.pauses)
@@ -100,7 +100,7 @@ def _recover(toolbox: Toolbox) -> Behaviour:
         BestEffort(_search("look again", toolbox)),
     )
     if toolbox.model.description.pushing.before_m is not None:  # which depends on how far it is open now
-        recover.add_child(BestEffort(come_to_handle(toolbox, _search("look there again", toolbox))))
+        recover.add_child(BestEffort(come_to_handle(toolbox, lambda name: _search(name, toolbox))))
     return recover
 
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from trees.nodes.alternatives import Alternatives
+from trees.nodes.best_effort import BestEffort
 from trees.nodes.judgements import defect
 from trees.nodes.retry import Retry
+from trees.skills.doors.choose_stand_at_handle import ChooseStandAtHandle, WalkToStandAtHandle
 from trees.skills.doors.handle_standing import WalkToHandle
 from trees.skills.doors.stands_at_handle import StandsAtHandle, StandsThereAlready
 from trees.skills.walk_to.tree import another_walk_is_useless
@@ -18,12 +22,14 @@ from trees.toolbox import Toolbox
 _WALKS = 3
 
 
-def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
+def come_to_handle(toolbox: Toolbox, look: Callable[[str], Behaviour]) -> Behaviour:
     """Nothing where the robot stands well; else walk there, look again, and correct.
+
+    Where nobody can stand square before it, any place does from which a hand can lead it all its way.
 
     Args:
         toolbox: What leaves may call.
-        look_again: Sees the handle anew; reads "task", writes "handle".
+        look: Makes what sees the handle anew; reads "task", writes "handle".
     """
     walk = WalkToHandle("walk", toolbox, if_hands_fit=True)
     attempt = Sequence(
@@ -32,12 +38,23 @@ def come_to_handle(toolbox: Toolbox, look_again: Behaviour) -> Behaviour:
         children=[
             ReadyToWalk("stand upright", toolbox),
             with_room(toolbox, walk, WalkToHandle("walk", toolbox)),
-            look_again,
+            look("look again"),
             StandsAtHandle("stand well", toolbox),
+        ],
+    )
+    walk_aside = WalkToStandAtHandle("walk", toolbox, if_hands_fit=True)
+    aside = Sequence(
+        "stand aside",
+        memory=True,
+        children=[
+            ChooseStandAtHandle("choose where to stand", toolbox),
+            ReadyToWalk("stand upright", toolbox),
+            with_room(toolbox, walk_aside, WalkToStandAtHandle("walk", toolbox)),
+            BestEffort(look("look from aside")),
         ],
     )
     again = ReadyToWalk("stand upright", toolbox)
     walks = Retry("walks", attempt, again, _WALKS, another_walk_is_useless)
     return Alternatives(
-        "come to it", [StandsThereAlready("stand well already", toolbox), walks], hopeless=defect
+        "come to it", [StandsThereAlready("stand well already", toolbox), walks, aside], hopeless=defect
     )

@@ -18,7 +18,15 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import optional, ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.meant_part import meant_part, misnamed, noun_of, opens_nothing, those_meant, whole_of
+from trees.skills.doors.meant_part import (
+    meant_part,
+    misnamed,
+    noun_of,
+    opens_nothing,
+    those_meant,
+    whole_of,
+    with_fronts,
+)
 from trees.skills.doors.pushed_front import fronts_in, with_known_bars
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
@@ -79,7 +87,9 @@ class DetectHandle(LookLeaf):
         elif len(fitting) == 1:
             (handle,) = fitting
         elif isinstance(meant := meant_part(task, fitting, self.toolbox), Failure):
-            return meant
+            if not (meant.choices and _names_place(wanted)):
+                return meant
+            handle = fitting[0]  # the others of the row may not have been seen yet
         else:
             handle = meant
         self._set_output("handle", handle)
@@ -90,7 +100,8 @@ class DetectHandle(LookLeaf):
         """Why a look shows none: what is named shows no front at all, or there may be one elsewhere."""
         noun, places = noun_of(task), self.toolbox.places
         what = noun or "door or drawer"
-        fronts = {item.front.of for item in update.scene.objects.values() if item.front is not None}
+        fronts = {item.moves.of for item in update.scene.objects.values() if item.moves is not None}
+        fronts |= with_fronts(self.toolbox.detector.labels or ())
         shown = {
             words_for(one)
             for one in update.seen.values()
@@ -108,6 +119,11 @@ class DetectHandle(LookLeaf):
         """How far a part is from where something was known to be."""
         part = self.toolbox.world.scene.objects[item.part]
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
+
+
+def _names_place(wanted: object) -> bool:
+    """Whether a place in a row is said, "the middle one", which takes all of them to tell."""
+    return isinstance(wanted, ObjectDescription) and wanted.ordinal is not None
 
 
 class DetectFront(DetectHandle):

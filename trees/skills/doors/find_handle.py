@@ -46,7 +46,7 @@ def seen_from_elsewhere(
         pushed: Whether a door's front is enough, without its handle.
     """
     recall = RecallHandle("recall it", toolbox, pushed)
-    come = come_to_handle(toolbox, search("look again", gazes))
+    come = come_to_handle(toolbox, lambda name: search(name, gazes))
     upright = ReadyToWalk("stand upright", toolbox)
     back = [recall, upright, change_viewpoint(toolbox, "room"), come]
     ways = [Sequence("back to it", memory=True, children=back), search("look from here", gazes)]

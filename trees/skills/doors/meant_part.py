@@ -38,7 +38,7 @@ def meant_part(
     if (wrong := misnamed(task, fitting)) is not None:
         return wrong
     described = replace(_described(task), name=None)
-    if whole_of(task, toolbox.places) and all(item.front is not None for item in fitting):
+    if whole_of(task, toolbox.places) and all(item.moves is not None for item in fitting):
         described = replace(described, relation=None)
     around = what_is_around(toolbox)
     parts = {item.part: item for item in fitting}
@@ -104,15 +104,15 @@ def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
 
 
 def _is_of(whole: str | None, item: HandleTarget) -> bool:
-    return whole is None or item.front is None or is_said_of(whole, item.front.of)
+    return whole is None or item.moves is None or is_said_of(whole, item.moves.of)
 
 
 def _is_a(noun: str | None, item: HandleTarget) -> bool:
     if noun is None or noun == item.kind:
         return True
-    if item.front is None:
+    if item.moves is None:
         return MEANT_BY.get(noun) == item.kind
-    return is_said_of(noun, item.front.of) or is_said_of(noun.removesuffix(f" {item.kind}"), item.front.of)
+    return is_said_of(noun, item.moves.of) or is_said_of(noun.removesuffix(f" {item.kind}"), item.moves.of)
 
 
 def opens_nothing(task: OpenTask | CloseTask, labels: Collection[str] | None = None) -> str:
@@ -126,6 +126,11 @@ def opens_nothing(task: OpenTask | CloseTask, labels: Collection[str] | None = N
     if noun is None or noun in MEANT_BY or any(_has(noun, label) for label in labels or ()):
         return ""
     return f"{with_article(noun)} is nothing that I can open or close"
+
+
+def with_fronts(labels: Collection[str]) -> set[str]:
+    """What has doors or drawers, by the words that perception can tell: "microwave" of "microwave door"."""
+    return {label.rpartition(" ")[0] for label in labels if label.rpartition(" ")[2] in BODY_OF} - {""}
 
 
 def _has(noun: str, label: str) -> bool:

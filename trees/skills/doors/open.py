@@ -57,7 +57,7 @@ _BESIDE, _BELOW_BESIDE = GAZES[4:6], GAZES[6:8]
 def open_or_close(toolbox: Toolbox) -> Behaviour:
     """The whole skill. Reads "task" of the tree's namespace, writes "evidence"."""
     attempts = Retry("attempts", _attempt(toolbox), _recover(toolbox), ATTEMPTS, moving_it_again_is_useless)
-    come = come_to_handle(toolbox, _search("look again", toolbox))
+    come = come_to_handle(toolbox, lambda name: _search(name, toolbox))
     do = _Sequence("come and move it", memory=True, children=[come, attempts])
     do.transparent = True
     ways = Alternatives("unless it is so", [IsItSo("see whether it is so already", toolbox), do])

@@ -12,7 +12,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
-from kinematics.scene.known_front import KnownFront
+from kinematics.scene.known_part import KnownPart
 from kinematics.scene.opening_path import DoorArc, DrawerLine
 from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
@@ -44,7 +44,7 @@ def fronts_in(seen: Mapping[str, ObjectEstimate], drawers: bool = False) -> list
     for name, panel in seen.items():
         kind = kind_of(name)
         bodies = [item for item in seen.values() if item.kind == BODY_OF.get(kind)]
-        if kind not in ((DOOR, DRAWER) if drawers else (DOOR,)) or not (bodies or panel.front):
+        if kind not in ((DOOR, DRAWER) if drawers else (DOOR,)) or not (bodies or panel.moves):
             continue
         target = known.get(name) or (_door if kind == DOOR else _drawer)(name, panel, bodies)
         if target is not None:
@@ -57,7 +57,7 @@ def _drawer(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> H
     solids = [(item.odom_T_object, item.shape) for item in bodies]
     middle, opening = panel.odom_T_object[:3, 3], opening_of(DRAWER, panel, solids)
     line = DrawerLine(middle, poses.yaw_of(panel.odom_T_object[:3, :3])).through(middle, opening)
-    return HandleTarget(DRAWER, name, name, line, opening, ("left", "right"), pushed=True, front=panel.front)
+    return HandleTarget(DRAWER, name, name, line, opening, ("left", "right"), pushed=True, moves=panel.moves)
 
 
 def _door(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> HandleTarget | None:
@@ -65,8 +65,8 @@ def _door(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Han
 
     None for a door that is nearly closed, and might hang on either side; a model of its piece tells that.
     """
-    if panel.front is not None:
-        return _door_by_model(name, panel, panel.front)
+    if panel.moves is not None:
+        return _door_by_model(name, panel, panel.moves)
     body, shape = top_of_nearest(
         panel.odom_T_object[:3, 3], [(item.odom_T_object, item.shape) for item in bodies]
     )
@@ -101,14 +101,14 @@ def _door(name: str, panel: ObjectEstimate, bodies: list[ObjectEstimate]) -> Han
     return None
 
 
-def _door_by_model(name: str, panel: ObjectEstimate, front: KnownFront) -> HandleTarget:
+def _door_by_model(name: str, panel: ObjectEstimate, front: KnownPart) -> HandleTarget:
     """A door whose hinge a model tells, with the middle of its front for a bar."""
     hinge = (panel.odom_T_object @ np.array([*front.hinge_m, 0.0, 1.0]))[:2]
     opening, middle = opening_of(DOOR, panel, []), panel.odom_T_object[:3, 3]
     yaw = poses.yaw_of(front.shut[:3, :3])
     arc = DoorArc(hinge, yaw, front.side, 0.0, 0.0, 0.0).through(middle, opening)
     hand: Hand = "left" if front.side > 0.0 else "right"
-    return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True, front=front)
+    return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True, moves=front)
 
 
 def with_known_bars(fronts: Sequence[HandleTarget], scene: PlanningScene) -> list[HandleTarget]:
@@ -160,7 +160,7 @@ def _remembered(scene: PlanningScene) -> Mapping[str, ObjectEstimate]:
             0.5,
             0,
             0.0,
-            front=item.front,
+            moves=item.moves,
         )
         for name, item in scene.objects.items()
         if kind_of(name) in parts

@@ -12,6 +12,7 @@ from kinematics.geometry.planar import PlanarPose
 from kinematics.model.robot_description import Hand
 from kinematics.model.stance import Stance
 from kinematics.model.standing_robot import StandingRobot
+from kinematics.requests.handle import HandlePlan
 from kinematics.requests.pick import PickPlan, PickRequest
 from kinematics.requests.place import PlacePlan
 from kinematics.requests.request import Request
@@ -37,6 +38,8 @@ from trees.skills.walking.standing_place import standing_place
 from trees.skills.walking.walking_room import room_if_it_walks
 from trees.toolbox import Job
 
+Answer = PickPlan | PlacePlan | HandlePlan | NoPlan
+"""What the planner says of a place to stand."""
 _MOST = 40
 """Places that are asked about."""
 _BESIDE = PlanarPose(0.02, 0.02, 0.02)
@@ -66,12 +69,12 @@ class ChooseStand(Leaf):
     """A place is taken if those that are so far beside it do as well, for nobody arrives exactly; where there
     is no such place, the one with most of them."""
 
-    _job: Job[PickPlan | PlacePlan | NoPlan] | None = None
+    _job: Job[Answer] | None = None
 
     def begin(self) -> None:
         """List the places."""
         toolbox = self.toolbox
-        place: Place = self.get_input("place")
+        place = self.aim()
         body = feet_pose(toolbox)
         scene = toolbox.world.scene
         self._place, self._here, self._job, self._asked, self._most = place, body, None, 0, _MOST
@@ -95,6 +98,11 @@ class ChooseStand(Leaf):
             self._stands = (
                 stand for stand in self.stands(body, places, room) if sees(stand, eye_m, thing, scene)
             )
+
+    def aim(self) -> Place:
+        """What is to be within reach."""
+        place: Place = self.get_input("place")
+        return place
 
     def usual(self, place: Place, body: PlanarPose) -> PlanarPose:
         """Where one would stand without knowing better."""
@@ -129,7 +137,7 @@ class ChooseStand(Leaf):
         """The places to ask about, in order, where there is room."""
         return filter(room.has, places)
 
-    def request(self, body: PlanarPose, stance: Stance) -> Request[PickPlan | PlacePlan | NoPlan]:
+    def request(self, body: PlanarPose, stance: Stance) -> Request[Answer]:
         """What the planner is asked for a place to stand."""
         del body
         toolbox = self.toolbox
@@ -206,7 +214,7 @@ class ChooseStand(Leaf):
 
 def _hand_of(answer: object) -> str:
     match answer:
-        case PickPlan():
+        case PickPlan() | HandlePlan():
             return answer.grasp.hand
         case PlacePlan():
             return answer.hand

@@ -77,7 +77,7 @@ def standing_place(
     if place.category == "region" and isinstance(place.shape, Box):
         return _inside(place.shape, PlanarPose.of(place.odom_T_place), scene, points)
     if place.category == "furniture" and isinstance(place.shape, Box):
-        sides = _sides(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
+        sides = sides_of(place.shape, place.odom_T_place, body, edge_m=edge_m(_height_m(place, scene)))
         if room is None:
             return sides[0]
         return _where_hands_are_free(_first_open(sides, scene, room), body, scene, room)
@@ -85,7 +85,7 @@ def standing_place(
         item = SceneObject(place.name, place.shape, place.odom_T_place)
         under = support_of(item, scene, support_gap_m)
         if under is not None and isinstance(under.shape, Box):
-            sides = _sides(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
+            sides = sides_of(under.shape, under.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
             return sides[0] if room is None else _first_open(sides, scene, room)
     return _around(place, PERSON_M if place.category == "person" else FREE_M, body, scene, room)
 
@@ -194,7 +194,7 @@ def _from_points_m(points: Array | None, place: PlanarPose) -> float:
     return float(np.hypot(points[:, 0] - place.x_m, points[:, 1] - place.y_m).min())
 
 
-def _sides(
+def sides_of(
     box: Box,
     odom_T_box: poses.Transform,
     near: PlanarPose,

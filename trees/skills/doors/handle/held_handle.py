@@ -45,9 +45,11 @@ def hand_concessions(
     toolbox: Toolbox, target: HandleTarget, grasp: Grasp, step: str
 ) -> tuple[Concession, ...]:
     """What the hand may touch at a handle, asked of whoever judges the step."""
-    links = toolbox.model.description.grippers[grasp.hand].touch_links
+    gripper = toolbox.model.description.grippers[grasp.hand]
+    links = gripper.touch_links
     scene = without_drawn(toolbox.world.scene)
-    near = () if target.pushed else beside_bar(target, scene)
+    fits = not target.pushed and gripper.palm_side_m is None
+    near = beside_bar(target, scene) if fits else ()
     parts = [name for name in (target.part, target.handle, *near) if name in scene.objects]
     return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
 

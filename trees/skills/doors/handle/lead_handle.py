@@ -13,7 +13,7 @@ from kinematics.following.opening_motion import scene_at
 from kinematics.scene.opening_measure import moved_by
 from robots.control.hands.yield_order import YieldOrder
 from robots.control.motion_handle import MotionHandle
-from trees.beliefs.openings.handles import INSIDE_KINDS, SHUT
+from trees.beliefs.openings.handles import INSIDE_KINDS, SHUT, goes_with
 from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
@@ -126,7 +126,11 @@ class LeadHandle(YieldingLeaf):
         self._told = True
         world, target = self.toolbox.world, held.target
         named = dict.fromkeys((target.part, target.handle))
-        inside = [name for name in world.scene.objects if kind_of(name) in INSIDE_KINDS]
+        inside = [
+            name
+            for name, item in world.scene.objects.items()
+            if kind_of(name) in INSIDE_KINDS and goes_with(item, target)
+        ]
         parts = tuple(name for name in (*named, *sorted(inside)) if name in world.scene.objects)
         if not parts or opening == target.opening:
             return
