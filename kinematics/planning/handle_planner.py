@@ -191,7 +191,13 @@ class _HandleTask(PlanningTask):
             around = [item for item in around if stands_out(item, front, outward)]
             if abs(float(pose[2, 0])) > _TILTED:  # one finger goes down between the bar and the front
                 around.append(front)
-        opening_m = fitting_opening_m(gripper, pose, around, diameter + 2.0 * _ABOUT_BAR_M)
+        least_m = diameter + 2.0 * _ABOUT_BAR_M
+        opening_m = fitting_opening_m(gripper, pose, around, least_m)
+        if opening_m is not None and not isinstance(request.path, DoorArc):
+            shut = pose.copy()  # where it lets go of a drawer that it has closed, or begins
+            shut[:3, 3] += request.path.at(0.0).position_m - request.path.at(request.s_from).position_m
+            there_m = fitting_opening_m(gripper, shut, around, least_m)
+            opening_m = None if there_m is None else min(opening_m, there_m)
         if opening_m is None:
             return 0.0
         return None if opening_m >= gripper.max_opening_m else opening_m

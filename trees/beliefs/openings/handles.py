@@ -119,20 +119,22 @@ def goes_with(item: SceneObject, target: HandleTarget) -> bool:
 
 
 def beside_bar(target: HandleTarget, scene: PlanningScene) -> tuple[str, ...]:
-    """What is fixed around the bar of what is known by a model, its own front and itself left out.
+    """What is fixed around the bar of what is known by a model, here or where it is shut.
+
+    Its own front and itself are left out.
 
     Fingers that open no wider than what is there may come near it: the next drawer's handle, the table.
     """
     if target.moves is None or target.handle not in scene.objects:
         return ()
-    place = scene.objects[target.handle].world_T_object[:3, 3]
+    places = (scene.objects[target.handle].world_T_object[:3, 3], target.path.at(0.0).position_m)
     return tuple(
         name
         for name, item in sorted(scene.objects.items())
         if not item.movable
         and name not in (target.handle, target.part, FLOOR)
         and kind_of(name) not in INSIDE_KINDS
-        and _away_m(place, item.world_T_object, item.shape) <= _ABOUT_BAR_M
+        and min(_away_m(place, item.world_T_object, item.shape) for place in places) <= _ABOUT_BAR_M
     )
 
 

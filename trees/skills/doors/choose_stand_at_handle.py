@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain, zip_longest
 
+from py_trees.common import Status
+
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
@@ -68,14 +70,21 @@ class ChooseStandAtHandle(ChooseStand):
         sides = sides_of(top.shape, top.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
         return sorted(sides, key=body.distance_m)
 
+    def step(self) -> Status | Failure:
+        """Nowhere else for who cannot walk, and for what is usually moved from square before it."""
+        if self.toolbox.walking is None or self._settings is None:
+            return Failure.infeasible(f"{self.toolbox.model.description.name} cannot walk here")
+        if self._target.moves is None:
+            return Failure.infeasible(f"the {self._target.part} is moved from before it, or not at all")
+        return super().step()
+
     def usual_again(self) -> PlanarPose | None:
         """None: a handle is seen again as it is."""
         return None
 
     def thing(self, place: Place) -> SceneObject | None:
-        """The bar, halfway on its way."""
-        middle = self._target.path.at(0.5 * (self._target.opening + self._target.open_to)).position_m
-        return SceneObject(place.name, place.shape, poses.translation(*middle.tolist()))
+        """The bar, where it is now: it is to be seen."""
+        return SceneObject(place.name, place.shape, place.odom_T_place)
 
     def hands(self) -> tuple[Hand, ...]:
         """Those that suit the handle."""

@@ -42,19 +42,30 @@ def come_to_handle(toolbox: Toolbox, look: Callable[[str], Behaviour]) -> Behavi
             StandsAtHandle("stand well", toolbox),
         ],
     )
-    walk_aside = WalkToStandAtHandle("walk", toolbox, if_hands_fit=True)
-    aside = Sequence(
+    again = ReadyToWalk("stand upright", toolbox)
+    walks = Retry("walks", attempt, again, _WALKS, another_walk_is_useless)
+    return Alternatives(
+        "come to it",
+        [StandsThereAlready("stand well already", toolbox), walks, stand_aside(toolbox, look)],
+        hopeless=defect,
+    )
+
+
+def stand_aside(toolbox: Toolbox, look: Callable[[str], Behaviour]) -> Behaviour:
+    """Stand where the planner has a way for the hand, here or elsewhere; where it is seen from, look again.
+
+    Args:
+        toolbox: What leaves may call.
+        look: Makes what sees the handle anew; reads "task", writes "handle".
+    """
+    walk = WalkToStandAtHandle("walk", toolbox, if_hands_fit=True)
+    return Sequence(
         "stand aside",
         memory=True,
         children=[
             ChooseStandAtHandle("choose where to stand", toolbox),
             ReadyToWalk("stand upright", toolbox),
-            with_room(toolbox, walk_aside, WalkToStandAtHandle("walk", toolbox)),
+            with_room(toolbox, walk, WalkToStandAtHandle("walk", toolbox)),
             BestEffort(look("look from aside")),
         ],
-    )
-    again = ReadyToWalk("stand upright", toolbox)
-    walks = Retry("walks", attempt, again, _WALKS, another_walk_is_useless)
-    return Alternatives(
-        "come to it", [StandsThereAlready("stand well already", toolbox), walks, aside], hopeless=defect
     )

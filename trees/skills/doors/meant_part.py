@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from robots.scenes.scene_description import Region
@@ -19,6 +19,14 @@ from trees.readings.odometry import what_is_around
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
+_PLACES: Mapping[str, str] = {
+    **dict.fromkeys(("top", "topmost", "upper"), "top"),
+    **dict.fromkeys(("middle", "central"), "middle"),
+    **dict.fromkeys(("bottom", "lowest", "lower"), "bottom"),
+    **dict.fromkeys(("left", "leftmost"), "left"),
+    **dict.fromkeys(("right", "rightmost"), "right"),
+}
+"""Words for a place among the parts of a piece, by the one that names of parts have."""
 _NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
 """What nobody calls the only one."""
 
@@ -40,6 +48,8 @@ def meant_part(
     described = replace(_described(task), name=None)
     if whole_of(task, toolbox.places) and all(item.moves is not None for item in fitting):
         described = replace(described, relation=None)
+    if described.ordinal in _PLACES and all(_places_told(item) for item in fitting):
+        described = replace(described, ordinal=None)  # a model has told which is where
     around = what_is_around(toolbox)
     parts = {item.part: item for item in fitting}
     if described == ObjectDescription(described.kind):
@@ -91,8 +101,8 @@ def those_meant(
         items: All that were seen.
         places: Names of the rooms on the map.
     """
-    noun, whole = noun_of(task), whole_of(task, places)
-    return [item for item in items if _is_of(whole, item) and _is_a(noun, item)]
+    noun, whole, place = noun_of(task), whole_of(task, places), _described(task).ordinal
+    return [item for item in items if _is_of(whole, item) and _is_a(noun, item) and _is_at(place, item)]
 
 
 def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
@@ -101,6 +111,21 @@ def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
     if relation is None or relation.kind != "in" or str(relation.to) in places:
         return None
     return str(relation.to)
+
+
+def _is_at(place: str | None, item: HandleTarget) -> bool:
+    """Whether a part is where it is said to be among those of its piece, as far as a model tells that.
+
+    The top one of three is not the only one that is seen. What the model calls by no place may be any.
+    """
+    said = _places_told(item)
+    return not said or place not in _PLACES or _PLACES.get(place or "") in said
+
+
+def _places_told(item: HandleTarget) -> set[str]:
+    """The places that are in a part's name: "top" of "top drawer"."""
+    words = () if item.moves is None else item.moves.part.split()
+    return {_PLACES[word] for word in words if word in _PLACES}
 
 
 def _is_of(whole: str | None, item: HandleTarget) -> bool:
