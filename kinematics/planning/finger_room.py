@@ -29,9 +29,9 @@ def thick_m(gripper: GripperDescription) -> float:
 def fitting_opening_m(
     gripper: GripperDescription, world_T_tcp: Array, around: Sequence[SceneObject], least_m: float
 ) -> float | None:
-    """The widest opening at which both fingers are clear of what is around; None where none is.
+    """The widest opening at which fingers and what is between them are clear of what is around; else None.
 
-    A finger is a box beside the pads, as thick as they are; what is around is the box about it.
+    Fingers are boxes beside the pads, as thick as they are; what is around is the box about it.
 
     Args:
         gripper: The hand.
@@ -42,12 +42,11 @@ def fitting_opening_m(
     near = [_box_of(item) for item in around]
     tip_m = gripper.pad_half_size_m[0][2] + gripper.closing_advance_m
     middle_m, half_m = 0.5 * (tip_m - BEHIND_FRONT_M), 0.5 * (tip_m + BEHIND_FRONT_M)
-    thick = thick_m(gripper)
-    half = np.array([half_m, 0.5 * thick + BESIDE_M, gripper.fingers_half_width_m + BESIDE_M])
+    middle = world_T_tcp @ poses.translation(middle_m, 0.0, 0.0)
     for opening_m in np.arange(gripper.max_opening_m, least_m, -_STEP_M):
-        aside_m = 0.5 * (float(opening_m) + thick)
-        fingers = [world_T_tcp @ poses.translation(middle_m, side * aside_m, 0.0) for side in (-1.0, 1.0)]
-        if not any(boxes_meet(finger, half, *box) for finger in fingers for box in near):
+        across_m = 0.5 * float(opening_m) + thick_m(gripper) + BESIDE_M
+        half = np.array([half_m, across_m, gripper.fingers_half_width_m + BESIDE_M])
+        if not any(boxes_meet(middle, half, *box) for box in near):
             return float(opening_m)
     return None
 

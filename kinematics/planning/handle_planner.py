@@ -59,6 +59,8 @@ _BEFORE_FRONT_M = 0.004
 """Fingertips stay so far before the front on which the bar is."""
 _ON_PADS_M = 0.008
 """So much of the pads reaches beyond a bar's middle in any case."""
+_WIDER_M = 0.05
+"""No wider than so much more than the bar: letting go, fingers open among what has moved by then."""
 _DEEPER = 0.4
 """Of a short pad's half-length: so much deeper a bar is held that goes away when it is squeezed."""
 _TILTED = 0.1
@@ -200,7 +202,7 @@ class _HandleTask(PlanningTask):
             opening_m = None if there_m is None else min(opening_m, there_m)
         if opening_m is None:
             return 0.0
-        return None if opening_m >= gripper.max_opening_m else opening_m
+        return min(opening_m, diameter + _WIDER_M)
 
     def _beside(self, hand: Hand) -> tuple[str, ...]:
         """What the fingers of a hand may come near: pads open no wider than fits; a palm cannot."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.model.camera_description import CameraDescription
+from kinematics.scene.known_part import KnownPart
 from robots.clock import Clock
 from robots.fake.scripted_world import ScriptedWorld
 from robots.perception.detector import Detection, PerceptionFrame
@@ -129,6 +130,12 @@ class ScriptedDetector:
                     item.traits,
                     self.error,
                     picture=PICTURE if item.name in view.confidence else None,
+                    moves=_seen_from(camera_T_world, item.moves),
                 )
             )
         return seen
+
+
+def _seen_from(camera_T_world: Transform, moves: KnownPart | None) -> KnownPart | None:
+    """What is known of a part that moves, in the camera's frame."""
+    return None if moves is None else replace(moves, shut=camera_T_world @ moves.shut)

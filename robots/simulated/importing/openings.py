@@ -18,6 +18,7 @@ _SMALL_M, _SMALL_SHARE = 0.16, 0.5
 _PANEL_SHARE = 0.45
 """The front is the farthest solid that covers so much of the part as seen from where it opens to."""
 _PROTRUDES_M = 0.008
+_CLEAR_M = 0.001
 _THIN_SHARE = 0.35
 
 
@@ -172,7 +173,7 @@ def _handle(clouds: list[Array], outwards: Array) -> Handle | None:
     if not out:
         return None
     # the bar is what is farthest out, and clear of the front; its posts come from there
-    out = [cloud for cloud in out if (cloud @ outwards).min() > front] or out
+    out = [cloud for cloud in out if (cloud @ outwards).min() > front + _CLEAR_M] or out
     farthest = max(float((cloud @ outwards).max()) for cloud in out)
     bar = np.concatenate([cloud for cloud in out if (cloud @ outwards).max() > farthest - _PROTRUDES_M])
     middle = 0.5 * (bar.min(axis=0) + bar.max(axis=0))

@@ -94,6 +94,12 @@ class HandleTarget:
         return self.open_to * (OPEN_ENOUGH[self.kind] / OPEN_TO[self.kind])
 
     @property
+    def close_to(self) -> float:
+        """Where it is led to be closed: a model tells better where it is shut."""
+        beyond = CLOSE_TO[self.kind]
+        return beyond if self.moves is None else 0.5 * beyond
+
+    @property
     def unit(self) -> str:
         """Unit of openings, for names of numbers."""
         return "deg" if self.kind == DOOR else "m"

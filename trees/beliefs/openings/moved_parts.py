@@ -71,12 +71,15 @@ def without_moved_parts(scene: PlanningScene, estimates: Iterable[ObjectEstimate
 
 def _went_along(item: SceneObject, known: Iterable[SceneObject], fresh: Iterable[ObjectEstimate]) -> bool:
     """Whether what was known of a door or drawer is not seen now, and its front is, elsewhere."""
-    moves, fresh = item.moves, [one for one in fresh if one.moves is not None]
-    if moves is None or any(one.moves is not None and one.moves.is_same(moves) for one in fresh):
+    moves, kind, fresh = item.moves, kind_of(item.name), list(fresh)
+    if moves is None or any(
+        one.kind == kind and one.moves is not None and one.moves.is_same(moves) for one in fresh
+    ):
         return False
     return any(
         one.moves is not None
         and front.moves is not None
+        and one.kind == kind_of(front.name)
         and one.moves.is_same(front.moves)
         and front.moves.is_of(moves)
         and math.dist(front.world_T_object[:3, 3], one.odom_T_object[:3, 3]) > _MOVED_M

@@ -27,7 +27,7 @@ from trees.skills.doors.meant_part import (
     whole_of,
     with_fronts,
 )
-from trees.skills.doors.pushed_front import fronts_in, with_known_bars
+from trees.skills.doors.pushed_front import fronts_in, is_pushed, with_known_bars
 from trees.skills.looking.folded_look import folded_look
 from trees.skills.looking.look_leaf import LookLeaf, View
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
@@ -130,20 +130,24 @@ class DetectFront(DetectHandle):
     """See a front that is to be pushed shut, with or without its handle.
 
     An open door hides its handle from most directions, and a hand can push it without one. Drawers count for
-    a robot that pushes them.
+    a robot that pushes them, small doors for none.
     """
 
-    _drawers = False
+    _by_handle = ""
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         """Fronts with what they belong to, and with bars that were seen on them before."""
-        drawers = self.toolbox.model.description.pushing.drawers
-        self._drawers = not drawers and any(kind_of(name) == DRAWER for name in seen)
-        return with_known_bars(fronts_in(seen, drawers), self.toolbox.world.scene)
+        pushing = self.toolbox.model.description.pushing
+        fronts = fronts_in(seen, pushing.drawers)
+        large = [one for one in fronts if one.kind == DRAWER or is_pushed(seen[one.part], pushing)]
+        self._by_handle = "a door so small" if len(large) < len(fronts) else ""
+        if not pushing.drawers and any(kind_of(name) == DRAWER for name in seen):
+            self._by_handle = "a drawer"
+        return with_known_bars(large, self.toolbox.world.scene)
 
     def judge(self, views: list[View]) -> Status | Failure:
-        """Drawers that are not pushed: told so that nobody looks for a door behind them."""
+        """What is not pushed is told so that nobody looks for a door behind it."""
         outcome = super().judge(views)
-        if isinstance(outcome, Failure) and outcome.kind is FailureKind.POSTCONDITION and self._drawers:
-            return Failure.infeasible("a drawer is closed by its handle")
+        if isinstance(outcome, Failure) and outcome.kind is FailureKind.POSTCONDITION and self._by_handle:
+            return Failure.infeasible(f"{self._by_handle} is closed by its handle")
         return outcome

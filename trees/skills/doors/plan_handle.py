@@ -11,7 +11,7 @@ from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from robots.scenes.articulated import DOOR
 from trees.beliefs.openings.drawer_inside import without_drawn
-from trees.beliefs.openings.handles import CLOSE_TO, HandleTarget, beside_bar
+from trees.beliefs.openings.handles import HandleTarget, beside_bar
 from trees.nodes.contract import Contract
 from trees.nodes.job_leaf import PlanningLeaf
 from trees.nodes.ports import ports
@@ -79,7 +79,7 @@ def handle_request(
     if target.pushed and target.kind == DOOR:
         lead_to = -toolbox.model.description.pushing.past_rad
     else:
-        lead_to = target.open_to if isinstance(task, OpenTask) else CLOSE_TO[target.kind]
+        lead_to = target.open_to if isinstance(task, OpenTask) else target.close_to
     scene = without_drawn(toolbox.world.scene)
     return HandleRequest(
         q_start=q_start,

@@ -11,6 +11,7 @@ import numpy as np
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
+from kinematics.model.handle_settings import Pushing
 from kinematics.model.robot_description import Hand
 from kinematics.scene.known_part import KnownPart
 from kinematics.scene.opening_path import DoorArc, DrawerLine
@@ -28,6 +29,8 @@ from trees.beliefs.scene.scene_update import kind_of
 
 _BAR_OFF_M = 0.12
 """A bar is no farther than this before its front."""
+_LARGE_M = 0.45
+"""A door that is less high has no room for a hand beside its bar."""
 _TOLD_RAD, _MOST_RAD = 0.12, 2.3
 """From which angle on a panel alone tells its hinge; beyond the other it was seen the wrong way round."""
 
@@ -109,6 +112,18 @@ def _door_by_model(name: str, panel: ObjectEstimate, front: KnownPart) -> Handle
     arc = DoorArc(hinge, yaw, front.side, 0.0, 0.0, 0.0).through(middle, opening)
     hand: Hand = "left" if front.side > 0.0 else "right"
     return HandleTarget(DOOR, name, name, arc, opening, (hand,), pushed=True, moves=front)
+
+
+def is_pushed(front: ObjectEstimate, pushing: Pushing) -> bool:
+    """Whether a hand finds room on a door where it pushes such things: not on that of a microwave."""
+    if not isinstance(front.shape, Box):
+        return True
+    _, width_m, height_m = front.shape.size_m
+    middle_m = float(front.odom_T_object[2, 3])
+    return (
+        any(away_m <= width_m and abs(at_m - middle_m) <= 0.5 * height_m for away_m, at_m in pushing.places_m)
+        and height_m >= _LARGE_M
+    )
 
 
 def with_known_bars(fronts: Sequence[HandleTarget], scene: PlanningScene) -> list[HandleTarget]:

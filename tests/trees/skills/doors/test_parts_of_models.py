@@ -1,0 +1,129 @@
+"""Which of several doors and drawers of recognised pieces a task means, and what has none."""
+
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
+from robots.perception.truth_view import TrueObject
+from tests.trees.cabinet_seen import CABINET, MICROWAVE, believed, seen, shown
+from trees.beliefs.openings.handles import handles_in
+from trees.failures import FailureKind
+from trees.skills.doors.choose_handle import ChooseHandle
+from trees.skills.doors.detect_handle import DetectHandle
+from trees.skills.doors.front_watch import FrontWatch
+from trees.skills.doors.meant_part import opens_nothing, those_meant
+from trees.skills.doors.pushed_front import fronts_in
+from trees.tasks import CloseTask, ObjectDescription, OpenTask, Relation
+
+CABINETS = Relation("in", "cabinet")
+LABELS = {"cabinet drawer", "microwave door", "cup", "door"}
+
+
+def said(kind, **more):
+    return OpenTask("open it", ObjectDescription(kind, **more))
+
+
+def parts(task, look):
+    return {one.moves.part for one in those_meant(task, handles_in(look), ())}
+
+
+@pytest.mark.parametrize(
+    ("kind", "more", "meant"),
+    [
+        ("drawer", {"ordinal": "top"}, {"top drawer"}),
+        ("drawer", {"ordinal": "lower", "relation": CABINETS}, {"bottom drawer"}),
+        ("drawer", {"relation": CABINETS}, {"top drawer", "middle drawer", "bottom drawer"}),
+        ("drawer", {"ordinal": "second"}, {"top drawer", "middle drawer", "bottom drawer"}),
+        ("drawer", {"relation": Relation("in", "microwave")}, set()),
+        ("cabinet", {}, {"top drawer", "middle drawer", "bottom drawer"}),
+        ("microwave", {}, {"door"}),
+        ("microwave door", {}, {"door"}),
+        ("door", {}, {"door"}),
+        ("fridge", {}, set()),
+    ],
+)
+def test_nouns_places_and_pieces_mean_parts(kind, more, meant):
+    assert parts(said(kind, **more), {**seen(CABINET), **_numbered(seen(MICROWAVE))}) == meant
+
+
+def _numbered(look):
+    return {f"{name} 9": one for name, one in look.items()}
+
+
+def test_the_top_one_is_not_the_only_one_that_is_seen(stage_with):
+    lowest = [one for one in shown(CABINET) if one.moves is None or one.moves.part == "bottom drawer"]
+    stage = stage_with(*lowest)
+    leaf = DetectHandle("detect", stage.toolbox)
+
+    status = stage.run(leaf, task=said("drawer", ordinal="top", relation=CABINETS))
+
+    assert status is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.POSTCONDITION
+
+
+@pytest.mark.parametrize("place", ["top", "middle", "bottom"])
+def test_each_of_a_column_is_found_and_chosen(stage_with, place):
+    stage = stage_with(*shown(CABINET))
+    task = said("drawer", ordinal=place, relation=CABINETS)
+
+    assert stage.run(DetectHandle("detect", stage.toolbox), task=task) is Status.SUCCESS
+    assert stage.run(ChooseHandle("choose", stage.toolbox, pushed=False), task=task) is Status.SUCCESS
+    assert stage.output("handle").moves.part == f"{place} drawer"
+
+
+def test_what_shows_no_front_and_is_known_to_have_none_is_told_at_once(stage_with):
+    pose = poses.translation(1.0, -0.3, 0.9)
+    oven = TrueObject("oven", "furniture", "fixture", None, Box((0.3, 0.4, 0.3)), pose)
+    stage = stage_with(oven, *shown(MICROWAVE))
+    leaf = DetectHandle("detect", stage.toolbox)
+
+    status = stage.run(leaf, task=said("drawer", relation=Relation("in", "oven")))
+
+    assert status is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert leaf.failure.message == "the oven has no drawer that I can open or close"
+
+
+@pytest.mark.parametrize(
+    ("noun", "refused"),
+    [("microwave", False), ("cabinet", False), ("microwave door", False), ("cup", True), ("kettle", True)],
+)
+def test_only_what_is_known_to_open_is_looked_for(noun, refused):
+    assert bool(opens_nothing(said(noun), LABELS)) is refused
+    assert bool(opens_nothing(CloseTask("close it", ObjectDescription(noun)), LABELS)) is refused
+
+
+@pytest.mark.parametrize("opening", [0.0, 0.4, 1.3])
+def test_a_door_of_a_model_is_pushed_about_its_hinge_without_its_bar(opening):
+    look = {name: one for name, one in seen(MICROWAVE, door=opening).items() if one.kind == "door"}
+
+    (target,) = fronts_in(look)
+
+    assert target.pushed
+    assert target.opening == pytest.approx(opening, abs=1e-9)
+    arm = look["door"].odom_T_object[:2, 3] - target.path.hinge_m
+    assert np.linalg.norm(arm) == pytest.approx(0.18, abs=1e-3)
+
+
+def test_the_next_drawer_is_not_taken_for_the_one_that_a_hand_comes_to(stage_with):
+    others = [one for one in shown(CABINET) if one.moves is None or one.moves.part != "middle drawer"]
+    stage = stage_with(*others)
+    stage.told.update(believed(seen(CABINET)))
+    look = seen(CABINET)
+    target = next(one for one in handles_in(look) if one.moves.part == "middle drawer")
+    watch = FrontWatch(stage.toolbox, target)
+
+    moved = []
+    for _ in range(200):
+        stage.fake.step()
+        moved.append(watch.moved_m())
+
+    assert not any(moved)
+    (own,) = [one for one in shown(CABINET, middle_drawer=0.05) if one.name.endswith("middle drawer/front")]
+    stage.fake.world.put(own)
+    for _ in range(200):
+        stage.fake.step()
+        moved.append(watch.moved_m())
+    assert any(moved)
