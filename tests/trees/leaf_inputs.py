@@ -18,6 +18,7 @@ from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_description import Region
 from robots.scenes.scene_file import load_scene
+from tests.trees.cabinet_seen import CABINET, seen, shown
 from trees.beliefs.grounding.destination import Place, place_of_region
 from trees.beliefs.openings.handles import OPEN_TO, handles_in
 from trees.beliefs.scene.held_object import HeldObject
@@ -30,6 +31,7 @@ from trees.skills.controls.fingers import CloseOnKnob, MakeFist
 from trees.skills.controls.plan_control import PlanControl, PlanTurn
 from trees.skills.controls.press_in import DrawBackFrom, PressIn
 from trees.skills.doors.choose_handle import ChooseHandle
+from trees.skills.doors.choose_stand_at_handle import ChooseStandAtHandle, WalkToStandAtHandle
 from trees.skills.doors.handle.approach_handle import ApproachHandle
 from trees.skills.doors.handle.grasp_handle import GraspHandle
 from trees.skills.doors.handle.held_handle import HeldHandle
@@ -132,6 +134,33 @@ def far_table(stage):
 
 def far_handle(stage):
     return {"handle": before_fridge(stage, away_m=0.8)}
+
+
+def handle_of_cabinet(stage):
+    """A drawer of a fixture that a robot stands before."""
+    things = list(shown(CABINET))
+    clear(stage)
+    for one in things:
+        stage.fake.world.put(one)
+    scene = stage.told.scene
+    for one in things:
+        item = SceneObject(one.name, one.shape, one.world_T_object, 0.01, movable=False, moves=one.moves)
+        scene = scene.with_object(item)
+    stage.told.update(scene)
+    look = seen(CABINET)
+    for name, one in look.items():
+        item = SceneObject(name, one.shape, one.odom_T_object, 0.01, movable=False, moves=one.moves)
+        scene = scene.with_object(item)
+    stage.told.update(scene)
+    handle = next(one for one in handles_in(look) if one.moves.part == "top drawer")
+    return {"task": OpenTask("open the drawer", ObjectDescription("drawer")), "handle": handle}
+
+
+def stand_at_cabinet(stage):
+    """And a place beside it, a short walk away."""
+    wired = handle_of_cabinet(stage)
+    x, y = wired["handle"].path.at(0.0).position_m[:2]
+    return {**wired, "stand": Stand(wired["handle"].handle, -0.4 - float(x), -float(y), 0.0)}
 
 
 def near_handle(stage):
@@ -352,6 +381,7 @@ GIVEN = {
     AskForSwap: cup_in_hand,
     ChooseHandle: open_fridge,
     ChooseStand: cup_to_stand_for,
+    ChooseStandAtHandle: handle_of_cabinet,
     AskForWalkThere: cup_to_put_elsewhere,
     ChooseStandToPlace: cup_to_put_elsewhere,
     ChooseStandToPut: to_put_inside,
@@ -378,4 +408,5 @@ GIVEN = {
     WalkBehind: somebody_who_walks,
     WalkTo: far_table,
     WalkToHandle: far_handle,
+    WalkToStandAtHandle: stand_at_cabinet,
 }

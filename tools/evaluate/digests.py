@@ -59,6 +59,10 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
             "what is on the counter?",
             "pick up the cup and put it on the counter",
         ),
+        "cabinet": (
+            "open the top drawer of the cabinet",
+            "open the microwave and close it",
+        ),
         "dinner": (
             "put the cup into the bowl",
             "pick up the bowl",

@@ -12,7 +12,7 @@ from tools.evaluate.ailing.body_fault import BODY_FAULTS
 
 Kind = Literal["episodes", "benchmark", "scaling"]
 
-NOT_REPORTED = frozenset({"digests", "things", "in_place", "put_things", "grips"})
+NOT_REPORTED = frozenset({"digests", "things", "in_place", "put_things", "openings", "grips"})
 """The first compares two versions and says nothing of one; the others need a scene of their user's things."""
 SCALING = "scaling"
 _USUAL = 200

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from kinematics.requests.grasp import Grasp
@@ -11,9 +13,12 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.motion_leaf import MotionLeaf
 from trees.nodes.ports import optional, ports
+from trees.toolbox import Toolbox
 
 # An object let go nearer than this to where it stood still stands.
 _SAFE_DROP_M = 0.015
+_LETS_GO_M = 0.02
+"""So much wider than a bar fingers are that have let go of it."""
 
 
 class Release(MotionLeaf):
@@ -35,6 +40,20 @@ class Release(MotionLeaf):
         on_cancel="the gripper holds its present opening",
     )
 
+    def __init__(
+        self, name: str, toolbox: Toolbox, wiring: Mapping[str, str] | None = None, *, at_bar: bool = False
+    ) -> None:
+        """Make the leaf.
+
+        Args:
+            name: Its name.
+            toolbox: What it may call.
+            wiring: Other names of its ports.
+            at_bar: Whether fingers are about a bar that has something beside it: they only let go of it.
+        """
+        super().__init__(name, toolbox, wiring)
+        self._at_bar = at_bar
+
     def start(self) -> MotionHandle | Failure | None:
         """Open, keep, or do nothing when no hand was used yet."""
         grasp = self._grasp()
@@ -46,7 +65,10 @@ class Release(MotionLeaf):
                 f"the {grasp.hand} hand still holds the {attached[0]} in the air; it is kept",
                 opening_m=gripper.reading().opening_m,
             )
-        return gripper.open(grasp.opening_m)
+        opening_m = grasp.opening_m
+        if opening_m is not None and self._at_bar:
+            opening_m = min(opening_m, grasp.diameter_m + _LETS_GO_M)
+        return gripper.open(opening_m)
 
     def finish(self) -> Status | Failure:
         """What was attached is no longer: the next look says where it is."""

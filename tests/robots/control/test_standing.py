@@ -153,3 +153,15 @@ def test_an_empty_hand_closes_and_opens_without_a_false_hold(standing, hand):
     assert handle.status is MotionStatus.DONE
     assert gripper.reading().opening_m > 0.09
     assert rig.loop.statistics.refused == 0
+
+
+def test_a_hand_opens_no_wider_than_it_is_told(standing):
+    rig = standing()
+    gripper = rig.loop.grippers["left"]
+    gripper.close()
+    run(rig, 1.5)
+    handle = gripper.open(0.04)
+    run(rig, 1.2)
+
+    assert handle.status is MotionStatus.DONE
+    assert gripper.reading().opening_m == pytest.approx(0.04, abs=0.004)

@@ -8,7 +8,8 @@ from robots.scenes.scene_file import read_scene
 from tests import foreign_meshes as foreign
 
 GUIDE = (Path(__file__).parents[3] / "docs" / "extend" / "a-scene.md").read_text("utf-8")
-BREAKFAST, MESH, FRIDGE, STOVE, REGION, ROOMS, CAMERA = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+BLOCKS = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+BREAKFAST, MESH, FRIDGE, CABINET, STOVE, REGION, ROOMS, CAMERA = BLOCKS
 
 
 def test_the_guides_scene_can_be_read():
@@ -22,6 +23,12 @@ def test_the_guides_fridge_opens():
     scene = read_scene(FRIDGE, "fridge.toml", "fridge")
 
     assert scene.furniture[0].opens.hinge == "left"
+
+
+def test_the_guides_cabinet_has_a_drawer_with_a_bar():
+    (drawer,) = read_scene(CABINET, "cabinet.toml", "cabinet").furniture[0].openings
+
+    assert (drawer.name, drawer.kind, drawer.bar.length_m) == ("top drawer", "drawer", 0.1)
 
 
 def test_the_guides_stove_has_a_knob():

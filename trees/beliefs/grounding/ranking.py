@@ -128,12 +128,12 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
         if len(fitting) % 2 == 0:
             raise UntellableError(f"which one is in the middle? there are {len(fitting)}", fitting)
         number = len(fitting) // 2 + 1
+        if _is_column(fitting):
+            return _nth(fitting, lambda thing: -thing.top_m, number)
     if number is None or (len(words) > 1 and words[1:] not in (["from", "the", side], ["from", side])):
         raise UntellableError(f"which one is the {ordinal.replace('_', ' ')} one?", fitting)
     if number > len(fitting):
         raise NoneFitsError(f"no {noun} seen; {there_are(len(fitting))} of the kind", True)
-    if len(words) == 1 and _is_column(fitting):
-        return _nth(fitting, lambda thing: -thing.top_m, number)
     sign = 1.0 if side == "right" else -1.0
     return _nth(fitting, lambda thing: sign * float(thing.place_m[1]), number)
 

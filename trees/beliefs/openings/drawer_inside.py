@@ -62,13 +62,21 @@ class DrawerInside(Sealed):
         return bool(abs(x) <= 0.5 * length and abs(y) <= 0.5 * width and 0.0 <= z <= height)
 
 
-def inside_of_drawer(scene: PlanningScene) -> DrawerInside | Failure:
-    """Measure the only drawer that is known; why not, when it is shut or was never seen from above."""
-    front = _first(scene, DRAWER)
-    bodies = [item for item in _all(scene, BODY_OF[DRAWER]) if isinstance(item.shape, Box)]
-    if front is None or not bodies or not isinstance(front.shape, Box):
+def inside_of_drawer(scene: PlanningScene, named: str = "") -> DrawerInside | Failure:
+    """Measure a drawer that is known; why not, when it is shut or was never seen from above.
+
+    Args:
+        scene: What is believed.
+        named: Name of its front; of several the one that is open the farthest, where it says none.
+    """
+    front = _front_of(scene, named)
+    if front is None or not isinstance(front.shape, Box):
         return Failure.postcondition("no drawer seen")
-    bottom, walls = _first(scene, DRAWER_BOTTOM), _all(scene, DRAWER_WALL)
+    bodies = [item for item in _bodies_of(front, scene) if isinstance(item.shape, Box)]
+    if not bodies:
+        return Failure.postcondition("no drawer seen")
+    bottom = next(iter(_parts_of(front, scene, DRAWER_BOTTOM)), None)
+    walls = _parts_of(front, scene, DRAWER_WALL)
     frame = front.world_T_object if bottom is None else bottom.world_T_object
     upright = poses.transform(poses.rotation_z(poses.yaw_of(frame[:3, :3])), frame[:3, 3])
     local_T_odom = poses.inverse(upright)
@@ -145,9 +153,14 @@ def _is_beside(item: SceneObject, floor: SceneObject, half_m: NDArray[np.float64
     return bool(np.all(low <= half_m) and np.all(high >= -half_m))
 
 
-def without_drawn(scene: PlanningScene) -> PlanningScene:
-    """A scene without what goes along with a drawer's front: its inside, and what stands in it."""
-    inside = inside_of_drawer(scene)
+def without_drawn(scene: PlanningScene, named: str = "") -> PlanningScene:
+    """A scene without what goes along with a drawer's front: its inside, and what stands in it.
+
+    Args:
+        scene: What is believed.
+        named: As above.
+    """
+    inside = inside_of_drawer(scene, named)
     bare = without_inside(scene)
     if isinstance(inside, Failure):
         return bare
@@ -181,6 +194,29 @@ def _all(scene: PlanningScene, kind: str) -> list[SceneObject]:
     ]
 
 
-def _first(scene: PlanningScene, kind: str) -> SceneObject | None:
-    found = _all(scene, kind)
-    return found[0] if found else None
+def _front_of(scene: PlanningScene, named: str) -> SceneObject | None:
+    """The front of that name; else of several with a model the farthest open one, or the first."""
+    fronts = {item.name: item for item in _all(scene, DRAWER)}
+    if named in fronts:
+        return fronts[named]
+    return max(fronts.values(), key=_open_m, default=None)
+
+
+def _open_m(front: SceneObject) -> float:
+    """How far a model tells that a drawer is open; 0 where none does."""
+    if front.moves is None:
+        return 0.0
+    return max(0.0, -float((poses.inverse(front.moves.shut) @ front.world_T_object)[0, 3]))
+
+
+def _bodies_of(front: SceneObject, scene: PlanningScene) -> list[SceneObject]:
+    """What a drawer is in: the piece that its model says, else all chests."""
+    return _all(scene, BODY_OF[DRAWER] if front.moves is None else front.moves.of)
+
+
+def _parts_of(front: SceneObject, scene: PlanningScene, kind: str) -> list[SceneObject]:
+    """The solids of a kind that go with a front."""
+    if front.moves is None:
+        return [item for item in _all(scene, kind) if item.moves is None]
+    own = front.moves
+    return [item for item in _all(scene, kind) if item.moves is not None and item.moves.is_of(own)]

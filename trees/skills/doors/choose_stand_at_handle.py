@@ -26,6 +26,7 @@ from trees.skills.doors.plan_handle import handle_request
 from trees.skills.walk_to.choose_stand import ChooseStand
 from trees.skills.walking.reachable_standing import Stand, StandingRoom, places_about
 from trees.skills.walking.standing_place import sides_of
+from trees.tasks import CloseTask, OpenTask
 
 _MARK_M = 0.02
 """Edge of the cube that stands for a handle where it is asked from where things on a table are reached."""
@@ -49,6 +50,7 @@ class ChooseStandAtHandle(ChooseStand):
 
     def aim(self) -> Place:
         """The handle."""
+        self._task: OpenTask | CloseTask = self.get_input("task")
         self._target: HandleTarget = self.get_input("handle")
         return place_of(self._target)
 
@@ -111,7 +113,7 @@ class ChooseStandAtHandle(ChooseStand):
         del body
         toolbox = self.toolbox
         q_home = StandingRobot.of(toolbox.model, stance).q_home
-        return handle_request(toolbox, self.get_input("task"), self._target, q_home, stance)
+        return handle_request(toolbox, self._task, self._target, q_home, stance)
 
     def without_any(self) -> Failure:
         """Nothing moves then."""

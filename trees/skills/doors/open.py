@@ -154,7 +154,7 @@ def _attempt(toolbox: Toolbox) -> Behaviour:
         ),
         sequence("grasp", GraspHandle("grasp handle", toolbox)),
         sequence("lead", LeadHandle("lead handle", toolbox)),
-        sequence("let go", Release("release", toolbox), StepBack("step back", toolbox)),
+        sequence("let go", Release("release", toolbox, at_bar=True), StepBack("step back", toolbox)),
         sequence("leave", *going(toolbox)),
         verify(toolbox),
     )
@@ -204,7 +204,7 @@ def _recover(toolbox: Toolbox) -> Behaviour:
     return sequence(
         "recover",
         ExcludeGrasp("exclude grasp", toolbox, {"tried_now": "tried"}),
-        Release("release", toolbox),
+        Release("release", toolbox, at_bar=True),
         BestEffort(StepBack("step back", toolbox)),
         BestEffort(sequence("leave", *going(toolbox))),
         BestEffort(_search("look again", toolbox)),
@@ -216,7 +216,7 @@ def _leave(toolbox: Toolbox) -> Behaviour:
     """Whatever went wrong: the hand is free of the handle and the robot stands at home."""
     return sequence(
         "give up",
-        BestEffort(Release("release", toolbox)),
+        BestEffort(Release("release", toolbox, at_bar=True)),
         BestEffort(StepBack("step back", toolbox)),
         *going(toolbox),
     )

@@ -80,7 +80,7 @@ def handle_request(
         lead_to = -toolbox.model.description.pushing.past_rad
     else:
         lead_to = target.open_to if isinstance(task, OpenTask) else target.close_to
-    scene = without_drawn(toolbox.world.scene)
+    scene = without_drawn(toolbox.world.scene, target.part)
     return HandleRequest(
         q_start=q_start,
         stance=stance,

@@ -19,7 +19,7 @@ def inside_of(place: Place, scene: PlanningScene) -> DrawerInside | Failure:
         scene: What is believed to be around.
     """
     if MEANT_BY.get(kind_of(place.name)) == DRAWER:
-        return inside_of_drawer(scene)
+        return inside_of_drawer(scene, place.name)
     if place.name not in scene.objects:
         return Failure.postcondition(f"the {place.name} is not seen where it was")
     return inside_of_region(place.name, scene)

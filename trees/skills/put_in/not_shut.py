@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from py_trees.common import Status
 
+from kinematics.scene.planning_scene import PlanningScene
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER
 from trees.beliefs.openings.drawer_inside import inside_of_drawer
@@ -18,7 +19,10 @@ from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
 from trees.tasks import ObjectDescription, PutInTask
 
-_INSIDE = {DRAWER: inside_of_drawer, DOOR: inside_of_fridge}
+_INSIDE: Mapping[str, Callable[[PlanningScene], object]] = {
+    DRAWER: inside_of_drawer,
+    DOOR: inside_of_fridge,
+}
 
 
 class NotShut(LookAround):

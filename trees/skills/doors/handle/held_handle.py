@@ -37,7 +37,7 @@ class HeldHandle(Sealed):
 
 def scene_of_hand(toolbox: Toolbox, target: HandleTarget, grasp: Grasp) -> PlanningScene:
     """The present scene, in which the hand may touch the handle and what it opens."""
-    scene = without_drawn(toolbox.world.scene)
+    scene = without_drawn(toolbox.world.scene, target.part)
     return with_touching(scene, hand_concessions(toolbox, target, grasp, "lead"))
 
 
@@ -47,7 +47,7 @@ def hand_concessions(
     """What the hand may touch at a handle, asked of whoever judges the step."""
     gripper = toolbox.model.description.grippers[grasp.hand]
     links = gripper.touch_links
-    scene = without_drawn(toolbox.world.scene)
+    scene = without_drawn(toolbox.world.scene, target.part)
     fits = not target.pushed and gripper.palm_side_m is None
     near = beside_bar(target, scene) if fits else ()
     parts = [name for name in (target.part, target.handle, *near) if name in scene.objects]
