@@ -1,5 +1,7 @@
 """Motions to be judged: one joint at a time, from the home posture."""
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -40,9 +42,18 @@ def motions(talos, stance):
     return Motions(talos, stance)
 
 
-@pytest.fixture(scope="session", params=[True, False], ids=["compiled", "coal"])
-def checker(talos, request):
-    return TrajectoryChecker(talos, compiled=request.param)
+@pytest.fixture(scope="session")
+def checkers(talos):
+    return functools.cache(lambda compiled: TrajectoryChecker(talos, compiled=compiled))
+
+
+@pytest.fixture(scope="module", params=[True, False], ids=["compiled", "coal"])
+def checker(checkers, request):
+    """Either way of checking; of a module alone, else all modules run one way, then all the other way.
+
+    What a module sets up would be set up twice.
+    """
+    return checkers(request.param)
 
 
 def found(answer):

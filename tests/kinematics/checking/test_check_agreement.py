@@ -3,6 +3,8 @@
 ``python -m tools.checking.campaign --count 2000`` is the long form.
 """
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -31,11 +33,17 @@ def case(generator, kind, number):
     return generator.case(kind, np.random.default_rng([11, number, len(kind)]))
 
 
+@pytest.fixture(scope="module")
+def remembered(generator):
+    """A case by kind and number, planted and judged by the referee once for both ways of checking."""
+    return functools.cache(functools.partial(case, generator))
+
+
 @pytest.mark.requirement("S6")
 @pytest.mark.parametrize("kind", DEFECTS)
-def test_every_defect_that_the_referee_sees_is_refused(generator, checker, kind):
+def test_every_defect_that_the_referee_sees_is_refused(remembered, checker, kind):
     for number in range(CASES_EACH):
-        planted = case(generator, kind, number)
+        planted = remembered(kind, number)
 
         answer = checker.check(planted.trajectory, planted.scene)
 
@@ -44,8 +52,8 @@ def test_every_defect_that_the_referee_sees_is_refused(generator, checker, kind)
 
 @pytest.mark.requirement("S6")
 @pytest.mark.parametrize("number", range(5 * CASES_EACH))
-def test_what_the_referee_finds_sound_is_not_refused(generator, checker, number):
-    sound = case(generator, "sound", number)
+def test_what_the_referee_finds_sound_is_not_refused(remembered, checker, number):
+    sound = remembered("sound", number)
 
     answer = checker.check(sound.trajectory, sound.scene)
 
@@ -76,8 +84,8 @@ def missed(checker, cases):
 
 
 @pytest.fixture(scope="module")
-def collisions(generator):
-    return [case(generator, "scene", number) for number in range(2 * CASES_EACH)]
+def collisions(remembered):
+    return [remembered("scene", number) for number in range(2 * CASES_EACH)]
 
 
 @pytest.mark.parametrize("compiled", [True, False])
@@ -119,8 +127,8 @@ def test_a_checker_that_trusts_the_instants_it_looks_at_is_caught(talos, collisi
 
 
 @pytest.mark.parametrize("kind", ["self", "scene", "held", "thin", "jump"])
-def test_compiled_code_and_coal_find_the_same(talos, generator, kind):
-    planted = case(generator, kind, 1)
+def test_compiled_code_and_coal_find_the_same(talos, remembered, kind):
+    planted = remembered(kind, 1)
 
     answers = [
         TrajectoryChecker(talos, compiled=way).check(planted.trajectory, planted.scene)

@@ -1,5 +1,7 @@
 """The referee knows things of convex parts as what they are, and the checker misses none of them."""
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,14 @@ _UNIT = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (
 @pytest.fixture(scope="module")
 def generator(talos):
     return Generator(talos, longest_s=3.0, parts=True)
+
+
+@pytest.fixture(scope="module")
+def remembered(generator):
+    """A case by kind and number, planted and judged by the referee once for both ways of checking."""
+    return functools.cache(
+        lambda kind, number: generator.case(kind, np.random.default_rng([12, number, len(kind)]))
+    )
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -49,9 +59,9 @@ def test_between_two_parts_there_is_room_in_the_referee_s_world(talos):
 
 @pytest.mark.requirement("S6")
 @pytest.mark.parametrize("kind", ["scene", "held"])
-def test_every_defect_amid_things_of_parts_is_refused(generator, checker, kind):
+def test_every_defect_amid_things_of_parts_is_refused(remembered, checker, kind):
     for number in range(3):
-        planted = generator.case(kind, np.random.default_rng([12, number, len(kind)]))
+        planted = remembered(kind, number)
 
         answer = checker.check(planted.trajectory, planted.scene)
 
