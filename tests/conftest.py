@@ -3,6 +3,7 @@
 import ctypes
 import gc
 import os
+import signal
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
@@ -16,6 +17,9 @@ settings.register_profile(
 )
 settings.register_profile("long", settings.get_profile("repeatable"), max_examples=500)
 settings.load_profile("repeatable")
+
+MOST_LOOKED_THROUGH = 100_000
+_file_under_way = None
 
 
 def _has_opengl() -> bool:
@@ -51,6 +55,22 @@ def pytest_collection_finish():
     gc.enable()
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    """Between files, keep what has grown out of later collections too: dictionaries that are made once.
+
+    The tables of the language are half a million objects. Whatever asks for a collection, as the served
+    executive does after every order, went through them each time: half a second.
+    """
+    global _file_under_way
+    if item.path == _file_under_way:
+        return
+    _file_under_way = item.path
+    if len(gc.get_objects()) > MOST_LOOKED_THROUGH:
+        gc.collect()
+        gc.freeze()
+
+
 def pytest_collection_modifyitems(items):
     """Skip pictures where they cannot be drawn; tell reports which requirements a test proves.
 
@@ -64,3 +84,24 @@ def pytest_collection_modifyitems(items):
     for item in items:
         for marker in item.iter_markers("requirement"):
             item.user_properties.extend(("requirement", name) for name in marker.args)
+
+
+@pytest.fixture
+def signals_heard():
+    """Signals to end are heard in the test, and by processes that it begins, however the tests were begun.
+
+    Under ``nohup`` SIGHUP is ignored, in the background of a script SIGINT, by children too: who waits for
+    what they do would wait for minutes, and count the test as failed.
+    """
+    usual = {
+        signal.SIGINT: signal.default_int_handler,
+        signal.SIGTERM: signal.SIG_DFL,
+        signal.SIGHUP: signal.SIG_DFL,
+    }
+    before = {number: signal.getsignal(number) for number in usual}
+    for number, handler in before.items():
+        if handler is signal.SIG_IGN:
+            signal.signal(number, usual[number])
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
-from robots.clock import ManualClock
-from robots.interface.robot import Robot
-from robots.simulated.world import SimulatedWorld
+if TYPE_CHECKING:  # a process that only hands out orders builds no world
+    from robots.clock import ManualClock
+    from robots.interface.robot import Robot
+    from robots.simulated.world import SimulatedWorld
 
 
 @dataclass(frozen=True, slots=True)
