@@ -16,16 +16,8 @@ from executive.ending_signals import EndedBySignal, interrupt_by_all, taken_by, 
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "reference" / "report.schema.json").read_text())
 ALL = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
+pytestmark = pytest.mark.usefixtures("signals_heard")
 each = pytest.mark.parametrize("number", ALL, ids=lambda number: number.name)
-
-
-@pytest.fixture(autouse=True)
-def handlers():
-    """Leave this process's signals as they were."""
-    before = {number: signal.getsignal(number) for number in ALL}
-    yield
-    for number, handler in before.items():
-        signal.signal(number, handler)
 
 
 @each

@@ -68,7 +68,7 @@ class Terminal:
 
 
 @pytest.fixture
-def terminal(tmp_path):
+def terminal(tmp_path, signals_heard):
     made = []
 
     def begin(robot, *options, **environment):

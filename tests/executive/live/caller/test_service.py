@@ -71,17 +71,14 @@ class World:
 
 
 @pytest.fixture
-def world(monkeypatch):
+def world(monkeypatch, signals_heard):
     made = World()
     monkeypatch.setattr(subprocess, "Popen", made.popen)
     monkeypatch.setattr(service_module, "Caller", made.caller)
     clock = SimpleNamespace(now_s=lambda: made.now_s, sleep=made.sleep)
     monkeypatch.setattr(service_module, "WallClock", lambda: clock)
     monkeypatch.setattr(service_module, "commander_of", lambda _folder: made.executives[-1].pid)
-    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
-    yield made
-    for number, handler in before.items():
-        signal.signal(number, handler)
+    return made
 
 
 @pytest.fixture
