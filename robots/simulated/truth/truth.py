@@ -54,6 +54,9 @@ class SimulatorTruth:
         self._items: dict[str, SceneItem] = {item.name: item for item in physics.scene.objects}
         self._seen_as = {item.name: _seen_as(item) for item in physics.scene.objects}
         self._fixed = tuple(one for piece in physics.scene.furniture for one in _fixed_of(piece))
+        self._tops = tuple(
+            _top_of(solid) for piece in physics.scene.furniture for solid in furniture.solids(piece)
+        )
         self._regions = frozenset(
             plate.name for piece in physics.scene.furniture for plate in furniture.region_plates(piece)
         )
@@ -254,14 +257,12 @@ class SimulatorTruth:
 
     def _ground_m(self, name: str) -> float:
         x, y, z = self.world_T_object(name)[:3, 3]
-        height = 0.0
-        for piece in self._physics.scene.furniture:
-            for solid in furniture.solids(piece):
-                local = poses.inverse(solid.world_T_solid) @ np.array([x, y, 0.0, 1.0])
-                depth, width, thick = solid.shape.size_m
-                top = float(solid.world_T_solid[2, 3]) + 0.5 * thick
-                if abs(local[0]) <= 0.5 * depth and abs(local[1]) <= 0.5 * width and top <= z:
-                    height = max(height, top)
+        height, place = 0.0, np.array([x, y, 0.0, 1.0])
+        for solid_T_world, (half_depth, half_width), top in self._tops:
+            if height < top <= z:
+                local = solid_T_world @ place
+                if abs(local[0]) <= half_depth and abs(local[1]) <= half_width:
+                    height = top
         return height
 
     # --- balance ----------------------------------------------------------------------------
@@ -329,6 +330,13 @@ def _part_seen_as(piece: Furniture, part: Moving, solid: MovingSolid) -> TrueObj
     moves = part.known_part(furniture.floor_pose(piece), solid, of)
     pose = solid.part_T_solid
     return TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, pose, moves=moves)
+
+
+def _top_of(solid: furniture.FurnitureSolid) -> tuple[Array, tuple[float, float], float]:
+    """World to solid, half depth and width, and the height of the top: what a thing may be above."""
+    depth, width, thick = solid.shape.size_m
+    top = float(solid.world_T_solid[2, 3]) + 0.5 * thick
+    return poses.inverse(solid.world_T_solid), (0.5 * depth, 0.5 * width), top
 
 
 def _seen_as(item: SceneItem) -> TrueObject:
