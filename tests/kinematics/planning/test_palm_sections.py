@@ -1,5 +1,7 @@
 """Fingers that close on a palm take a thing of any shape where they meet one width of it, by that width."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,9 +13,11 @@ from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reaso
 from kinematics.scene.planning_scene import SceneObject
 from robots.models.description import load_description
 from tests import foreign_meshes as foreign
-from tests.kinematics.planning.test_shape_grasps import thing
+from tests.kinematics.planning.conftest import as_wide_as, thing
 
 HEIGHTS = (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+MUG = 0.045 / 0.055
+"""Of the wide mug, so that 90 mm across are left."""
 
 
 @pytest.fixture(scope="module")
@@ -46,8 +50,11 @@ def test_a_bottle_is_taken_where_it_is_of_one_width_and_by_that(model, gripper, 
     np.testing.assert_allclose(tcp_T_bottle[:, 1, 3], gripper.grasped_at_m(2.0 * radius_m), atol=0.004)
 
 
-def test_a_mug_whose_handle_does_not_go_into_the_hand_is_refused_in_words(model):
-    mug = standing(foreign.mug(radius_m=0.045), "mug")
+def test_a_mug_whose_handle_does_not_go_into_the_hand_is_refused_in_words(model, wide_mug):
+    slimmer = replace(
+        wide_mug, radius_m=MUG * wide_mug.radius_m, parts=as_wide_as(wide_mug.parts, MUG, "90 mm across")
+    )
+    mug = SceneObject("mug", slimmer, poses.translation(0.4, 0.2, 0.8))
 
     assert len(any_grasp_table(mug, model, "left", 0.0, 0.1, HEIGHTS, 0.0)) == 0
     assert no_grasp_reason(mug, model, "left").startswith("nowhere is the mug of one width")

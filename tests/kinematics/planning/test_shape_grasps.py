@@ -5,35 +5,16 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
-from kinematics.geometry.shapes import Box, Cylinder
+from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
 from kinematics.planning import shape_grasps as module
 from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reason
 from kinematics.planning.shape_grasps import shape_grasps
 from kinematics.scene.planning_scene import SceneObject
 from robots.models.description import load_description
-from robots.scenes.importing.convex import convex_parts, surface_of
-from robots.scenes.importing.outline import fitted
 from robots.simulated.floating_hand import holds
 from tests import foreign_meshes as foreign
-
-
-def thing(mesh, key):
-    """Parts of a mesh, with points of their surface, centred."""
-    hulls = convex_parts(mesh.vertices, mesh.faces)
-    fit = fitted(np.concatenate(hulls))
-    hulls = [hull - fit.centre for hull in hulls]
-    parts = ConvexParts(
-        key,
-        np.concatenate(hulls),
-        tuple(np.cumsum([len(hull) for hull in hulls]).tolist()),
-        *surface_of(hulls),
-        outline_error_m=fit.error_m,
-    )
-    outline = fit.outline
-    if isinstance(outline, Box):
-        return Box(outline.size_m, parts)
-    return Cylinder(outline.radius_m, outline.height_m, parts)
+from tests.kinematics.planning.conftest import as_wide_as, thing
 
 
 def cup_that_widens(rng):
@@ -166,19 +147,8 @@ def test_what_a_hand_cannot_take_is_refused_with_the_reason(mesh, said, talos):
     assert re.search(said, reason)
 
 
-@pytest.fixture(scope="module")
-def wide_mug():
-    return thing(foreign.mug(0.055, 0.09), "a wide mug").parts
-
-
-def as_wide_as(parts, share, key):
-    """The same thing, so much slimmer across."""
-    across = np.array([share, share, 1.0])
-    return replace(parts, key=key, corners=parts.corners * across, surface=parts.surface * across)
-
-
 def test_two_slim_fingers_take_a_wide_mug_by_its_wall_or_handle_and_thick_ones_do_not(talos, wide_mug):
-    parts = wide_mug
+    parts = wide_mug.parts
     panda = RobotModel(load_description("panda"))
 
     slim, thick = (shape_grasps(parts, one, "right", np.eye(4)) for one in (panda, talos))
@@ -190,10 +160,10 @@ def test_two_slim_fingers_take_a_wide_mug_by_its_wall_or_handle_and_thick_ones_d
 
 
 def test_what_hardly_any_grasp_is_found_of_is_looked_at_more_densely(talos, wide_mug, monkeypatch):
-    densely = shape_grasps(as_wide_as(wide_mug, 0.72, "once"), talos, "left", np.eye(4))
+    densely = shape_grasps(as_wide_as(wide_mug.parts, 0.72, "once"), talos, "left", np.eye(4))
     monkeypatch.setattr(module, "_DENSE", module._USUAL)
 
-    usually = shape_grasps(as_wide_as(wide_mug, 0.72, "twice"), talos, "left", np.eye(4))
+    usually = shape_grasps(as_wide_as(wide_mug.parts, 0.72, "twice"), talos, "left", np.eye(4))
 
     assert 0 < len(usually.cost) < module._ENOUGH
     assert len(densely.cost) > 1.5 * len(usually.cost)
@@ -202,7 +172,7 @@ def test_what_hardly_any_grasp_is_found_of_is_looked_at_more_densely(talos, wide
 def test_what_many_are_found_of_is_not(talos, wide_mug, monkeypatch):
     monkeypatch.setattr(module, "_DENSE", None)
 
-    found = shape_grasps(as_wide_as(wide_mug, 0.6, "slim"), talos, "left", np.eye(4))
+    found = shape_grasps(as_wide_as(wide_mug.parts, 0.6, "slim"), talos, "left", np.eye(4))
 
     assert len(found.cost) >= module._ENOUGH
 

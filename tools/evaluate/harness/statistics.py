@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import binomtest
 
 CONFIDENCE = 0.95
 _DRAWS = 2000
@@ -14,6 +13,8 @@ _DRAWS = 2000
 
 def interval(count: int, of: int) -> tuple[float, float]:
     """The 95 % interval of a share, by Wilson's score."""
+    from scipy.stats import binomtest  # half a second, of every process that runs episodes
+
     found = binomtest(count, of).proportion_ci(confidence_level=CONFIDENCE, method="wilson")
     return float(found.low), float(found.high)
 
@@ -42,6 +43,8 @@ class PairedShares:
     @property
     def p_value(self) -> float:
         """How probable a difference like this is between equals: McNemar's exact test."""
+        from scipy.stats import binomtest
+
         changed = self.first + self.second
         return float(binomtest(self.first, changed).pvalue) if changed else 1.0
 
