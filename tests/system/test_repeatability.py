@@ -6,16 +6,24 @@ import subprocess
 import sys
 
 import pytest
+from typer.testing import CliRunner
+
+from executive.cli.app import app
 
 LOOK = "look at the red cup"
 """Seen with errors that the seed draws."""
 
 
-def digest(folder, seed, hashes, sentence="pick up the red cup on the table"):
-    report = folder / f"{seed}-{hashes}.json"
-    command = [sys.executable, "-m", "executive", "run", sentence, "--seed", str(seed)]
+def options(folder, seed, name):
+    report = folder / f"{name}.json"
+    return report, ["--seed", seed, "--report", report, "--record", folder / name, "--plain"]
+
+
+def digest(folder, seed, hashes):
+    report, chosen = options(folder, seed, f"{seed}-{hashes}")
+    command = [sys.executable, "-m", "executive", "run", "pick up the red cup on the table"]
     done = subprocess.run(
-        [*command, "--report", str(report), "--record", str(folder / report.stem), "--plain"],
+        [*command, *map(str, chosen)],
         env={**os.environ, "OMP_NUM_THREADS": "1", "PYTHONHASHSEED": str(hashes)},
         capture_output=True,
         text=True,
@@ -31,5 +39,12 @@ def test_the_same_seed_in_two_processes_gives_the_same_digest(tmp_path):
     assert digest(tmp_path, 4, 0) == digest(tmp_path, 4, 1)
 
 
+def digest_here(folder, seed):
+    report, chosen = options(folder, seed, str(seed))
+    done = CliRunner().invoke(app, ["run", LOOK, *map(str, chosen)])
+    assert done.exit_code in (0, 1), done.output
+    return json.loads(report.read_text("utf-8"))["events_sha256"]
+
+
 def test_another_seed_gives_another_digest(tmp_path):
-    assert digest(tmp_path, 4, 0, LOOK) != digest(tmp_path, 5, 0, LOOK)
+    assert digest_here(tmp_path, 4) != digest_here(tmp_path, 5)

@@ -44,6 +44,7 @@ from tools.evaluate.live.connection import run_connection
 from tools.evaluate.live.fuzz import run_fuzz
 from tools.evaluate.live.kill import run_kill
 from tools.evaluate.live.load import run_load
+from tools.evaluate.mcp import run_mcp_suites
 from tools.evaluate.opening.faults import OPENING_FAULTS
 from tools.evaluate.opening.scenes import OPENED_BESIDE
 from tools.evaluate.opening.suite import OPENING_SUITES, run_opening_suite
@@ -70,21 +71,6 @@ from tools.evaluate.survival.survive import SURVIVE
 from tools.evaluate.survival.survive import main as survive
 from tools.evaluate.upon.grips import GRIPS_SUITE, run_grips
 
-
-def _run_mcp(options: argparse.Namespace, messages: Console) -> int:
-    """Tasks through the MCP door, whose library takes half a second to load."""
-    from tools.evaluate.mcp.tasks import run_mcp
-
-    return run_mcp(options, messages)
-
-
-def _run_mcp_fuzz(options: argparse.Namespace, messages: Console) -> int:
-    """Arguments at random through the same door."""
-    from tools.evaluate.mcp.fuzz import run_mcp_fuzz
-
-    return run_mcp_fuzz(options, messages)
-
-
 _CAMERA_SUITES: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingProxyType(
     {PERCEPTION_SUITE: run_perception, PEOPLE_SEEN_SUITE: run_people_seen, SHOWN_SUITE: run_shown}
 )
@@ -101,8 +87,7 @@ _OWN_WAYS: Mapping[str, Callable[[argparse.Namespace, Console], int]] = MappingP
         "soak": run_soak,
         "connection": run_connection,
         "load": run_load,
-        "mcp": _run_mcp,
-        "mcp-fuzz": _run_mcp_fuzz,
+        **dict.fromkeys(("mcp", "mcp-fuzz"), run_mcp_suites),
         **dict.fromkeys(ROS_SUITES, run_ros_suite),
         **dict.fromkeys((*DISTURBED_SUITES, *JOG_SUITES), run_summed_suite),
         **dict.fromkeys(OPENING_SUITES, run_opening_suite),

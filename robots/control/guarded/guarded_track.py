@@ -48,6 +48,8 @@ class GuardedTrack:
         """
         bounds = motion.bounds
         self._motion = motion
+        # asked once: whether a motion has all that one of the body has is found out by reading each of it
+        self._body_motion = motion if isinstance(motion, BodyMotion) else None
         self._duration_s = bounds.duration_s
         self.indices = np.array([actuated.index(name) for name in bounds.joints], dtype=np.intp)
         self._checker = OnlineChecker(bounds, self.indices)
@@ -57,7 +59,7 @@ class GuardedTrack:
         self.q: NDArray[np.float64] = np.empty(0)
         self.v: NDArray[np.float64] = np.empty(0)
         self.body: MotionSample | None = None
-        self.in_contact = isinstance(motion, BodyMotion) and motion.in_contact
+        self.in_contact = self._body_motion is not None and self._body_motion.in_contact
         self._body_checker = body_checker
         self.done = False
 
@@ -71,7 +73,7 @@ class GuardedTrack:
         self._elapsed_s += period_s
         self.handle.progress = min(1.0, self._elapsed_s / self._duration_s)
         refusal = self._checker.judge(self._elapsed_s, self.q, self.v, state)
-        if refusal is None and self._body_checker is not None and isinstance(self._motion, BodyMotion):
-            self.body = self._motion.body
+        if refusal is None and self._body_checker is not None and self._body_motion is not None:
+            self.body = self._body_motion.body
             refusal = self._body_checker.judge()
         return refusal

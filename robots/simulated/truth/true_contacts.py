@@ -54,7 +54,9 @@ class TrueContacts:
 
     def __init__(self, physics: Physics) -> None:
         self._physics = physics
-        self._part_of = np.isin(physics.geom_role, _ROBOT) + _THING * np.isin(physics.geom_role, _THINGS)
+        self._is_robot = np.isin(physics.geom_role, _ROBOT)
+        self._may_hinder = np.isin(physics.geom_role, (Role.FURNITURE, Role.HANDLE))
+        self._part_of = self._is_robot + _THING * np.isin(physics.geom_role, _THINGS)
         self._wrench = np.zeros(6)
 
     def robot_with_furniture(self) -> tuple[TrueContact, ...]:
@@ -65,9 +67,7 @@ class TrueContacts:
         """Sum of the forces of furniture and handles on the robot in the last physics step, N, shape (3,)."""
         physics, data, pairs = self._physics, self._physics.data, self._contact_geoms()
         total = np.zeros(3)
-        roles = physics.geom_role[pairs]
-        robot = np.isin(roles, _ROBOT)
-        theirs = (roles == Role.FURNITURE) | (roles == Role.HANDLE)
+        robot, theirs = self._is_robot[pairs], self._may_hinder[pairs]
         for i in np.flatnonzero(robot.any(axis=1) & theirs.any(axis=1)):
             mujoco.mj_contactForce(physics.model, data, int(i), self._wrench)
             force = data.contact.frame[i].reshape(3, 3).T @ self._wrench[:3]

@@ -107,18 +107,30 @@ class SimulatorTruth:
         )
         return self._fixed + self._moving() + self._present() + objects
 
+    def person(self, name: str) -> TrueObject:
+        """A person where they are now: what ``solids`` has of them.
+
+        Raises:
+            KeyError: Nobody of that name is there.
+        """
+        for person, body in self._people:
+            if person.name == name and name not in self._removed:
+                return self._present_at(person, body)
+        raise KeyError(name)
+
     def _present(self) -> tuple[TrueObject, ...]:
         """People where they are now."""
         return tuple(
-            person
-            if body is None
-            else replace(
-                person,
-                world_T_object=self._pose(body) @ poses.translation(0.0, 0.0, 0.5 * person.shape.height_m),
-            )
+            self._present_at(person, body)
             for person, body in self._people
             if person.name not in self._removed
         )
+
+    def _present_at(self, person: TrueObject, body: int | None) -> TrueObject:
+        if body is None:
+            return person
+        above_floor = poses.translation(0.0, 0.0, 0.5 * person.shape.height_m)
+        return replace(person, world_T_object=self._pose(body) @ above_floor)
 
     def _moving(self) -> tuple[TrueObject, ...]:
         """Doors, drawers and their handles where they are now."""

@@ -56,7 +56,7 @@ class Company:
 
     def at(self) -> ways.Point:
         """Where the person truly is."""
-        solid = next(one for one in self.truth.solids() if one.name == self.person.name)
+        solid = self.truth.person(self.person.name)
         return float(solid.world_T_object[0, 3]), float(solid.world_T_object[1, 3])
 
     def apart_m(self) -> float:

@@ -94,8 +94,7 @@ class _LivePerson(AimedAt):
 
     def place(self, name: str) -> Array:
         """Where somebody is now, shape (3,)."""
-        solids = self.truth.solids()
-        return np.array(next(one.world_T_object[:3, 3] for one in solids if one.name == name))
+        return np.array(self.truth.person(name).world_T_object[:3, 3])
 
     def aim(self) -> Array:
         """The middle of the person who is to be greeted."""
