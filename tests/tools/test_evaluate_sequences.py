@@ -1,11 +1,16 @@
 """Sequences ask for what can be done: each skill once, nothing that was given away, one thing in a hand."""
 
 import numpy as np
+import pytest
 
 from tools.evaluate.skills.sequences import LENGTH, one_by_one, sequence_trial
 
-TRIALS = [sequence_trial(np.random.default_rng(seed)) for seed in range(40)]
 GONE_AFTER = ("put_in", "hand_over")
+
+
+@pytest.fixture(scope="module")
+def trials():
+    return [sequence_trial(np.random.default_rng(seed)) for seed in range(40)]
 
 
 def require_possible(trial):
@@ -26,19 +31,19 @@ def require_possible(trial):
             gone.add(aim)
 
 
-def test_a_sequence_can_be_carried_out():
-    for trial in TRIALS:
+def test_a_sequence_can_be_carried_out(trials):
+    for trial in trials:
         require_possible(trial)
 
 
-def test_all_skills_come_up_and_none_twice():
-    for trial in TRIALS:
+def test_all_skills_come_up_and_none_twice(trials):
+    for trial in trials:
         assert len({task.action for task in trial.tasks}) == LENGTH
-    assert len({task.action for trial in TRIALS for task in trial.tasks}) == 8
+    assert len({task.action for trial in trials for task in trial.tasks}) == 8
 
 
-def test_what_was_given_away_may_move_with_the_hand_that_has_it():
-    for trial in TRIALS:
+def test_what_was_given_away_may_move_with_the_hand_that_has_it(trials):
+    for trial in trials:
         actions = [task.action for task in trial.tasks]
         given_at = actions.index("hand_over") if "hand_over" in actions else LENGTH
         for place, one in enumerate(one_by_one(trial)):
