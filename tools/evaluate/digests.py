@@ -59,10 +59,6 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
             "what is on the counter?",
             "pick up the cup and put it on the counter",
         ),
-        "cabinet": (
-            "open the top drawer of the cabinet",
-            "open the microwave and close it",
-        ),
         "dinner": (
             "put the cup into the bowl",
             "pick up the bowl",
@@ -117,6 +113,10 @@ _SAID: Mapping[str, Sequence[str]] = MappingProxyType(
         "bench_drawers": ("open the drawer and close it",),
         "low_kitchen": ("open the fridge", "walk to the kitchen"),
         "low_tabletop": ("pick up the red bottle on the table",),
+        "cabinet": (
+            "open the top drawer of the cabinet",
+            "open the microwave and close it",
+        ),
     }
 )
 
@@ -153,7 +153,7 @@ class RecordedRun:
 
 
 def planned_runs() -> tuple[RecordedRun, ...]:
-    """The sixty runs, each with a seed of its own."""
+    """All runs, each with a seed of its own."""
     pairs = [(scene, text) for scene, texts in _SAID.items() for text in texts]
     return tuple(
         RecordedRun(text, scene, 100 + number, robot=_ROBOTS.get(scene.partition("_")[0], DEFAULT_ROBOT))
