@@ -37,6 +37,8 @@ _TURNS_RAD, _PALM_TURNS_RAD = (0.0,), (0.0, 0.5, -0.3, 1.0)
 """So far the left hand is turned from pointing at what it pushes; a palm may look at it."""
 _ASIDE, _HIGH = (0.35, -0.35), (0.0, 0.2, -0.2)
 """Of a drawer's width and height: so far beside the middle of the front, where its bar is."""
+_OFF_EDGE_M = 0.08
+"""A hand pushes no nearer to a door's upper edge than this."""
 _BAR_DEPTH_M, _BAR_WIDE_M, _BAR_INSET_M, _BAR_BOTTOM_M = 0.07, 0.08, 0.07, 0.75
 _BAR_TOPS_M = (1.30, 1.25, 1.20)
 """Where a bar can be that is not seen: so far out, so wide about so far from the free edge, so high."""
@@ -111,12 +113,15 @@ def _places(
             yield f"push at {aside * width_m:+.2f} {place[2]:.2f}", place, 0.0
         return
     pushing = model.description.pushing
+    # an oven is less high than a fridge
+    low_m, high_m = front.world_T_object[2, 3] + (0.5 * height_m - _OFF_EDGE_M) * np.array([-1.0, 1.0])
     for away_m, at_m in pushing.places_m:
         if away_m > width_m:
             continue
-        place = np.array([*path.hinge_m, at_m]) + away_m * _along(path, outward)
+        up_m = float(np.clip(at_m, low_m, high_m))
+        place = np.array([*path.hinge_m, up_m]) + away_m * _along(path, outward)
         for followed in _FOLLOWED if pushing.heading_weight is None else _KEPT:
-            label = f"push at {away_m:.2f} {at_m:.2f} turned {followed:.1f}"
+            label = f"push at {away_m:.2f} {up_m:.2f} turned {followed:.1f}"
             yield label, place, path.side * followed * request.s_from
 
 

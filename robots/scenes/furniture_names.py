@@ -34,6 +34,11 @@ def kind_called(words: str) -> str:
     return _KINDS.get(words.rpartition(" ")[2].lower(), words)
 
 
+def is_called_a(kind: str, words: str) -> bool:
+    """Whether a name says that a piece is a fridge, or a chest of drawers: "white refrigerator"."""
+    return _OTHER_KINDS.get(words.rpartition(" ")[2].lower()) == kind
+
+
 def own_name(name: str, kind: str) -> str | None:
     """What a piece of furniture is called besides its kind; None when its name tells no more than that.
 

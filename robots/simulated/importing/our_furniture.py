@@ -11,7 +11,7 @@ import numpy as np
 from kinematics.arrays import Array
 from robots.scenes.articulated import DRAWER_FRONT_HEIGHT_M, GAP_M, WALL_M
 from robots.scenes.fixture import CONTROL_KINDS
-from robots.scenes.furniture_names import kind_that_name_contradicts
+from robots.scenes.furniture_names import is_called_a, kind_that_name_contradicts
 from robots.simulated.importing.as_fixture import fixture_values
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
@@ -58,15 +58,21 @@ def our_piece(foreign: Foreign, piece: FoundPiece, ground_m: float = 0.0) -> Our
 
 
 def _usual(foreign: Foreign, piece: FoundPiece) -> OurPiece | str:
-    """Which of the usual kinds it is; in words why it is none of them."""
+    """Which of the usual kinds it is; in words why it is none of them.
+
+    A fridge or a chest is one that is called so, and has one such part that opens. Whatever else opens is a
+    fixture: each of its parts moves, and it is called as it is.
+    """
     drawers = [one for one in piece.openings if one.kind == "drawer"]
     doors = [one for one in piece.openings if one.kind == "door"]
+    if not drawers and not doors:
+        return _plain(piece)
     stands = float(piece.low[2]) <= _ON_FLOOR_M
-    if stands and drawers and not doors:
-        return _opening(foreign, piece, max(drawers, key=lambda one: float(one.high[2])), "drawers")
-    if stands and doors:
-        return _opening(foreign, piece, max(doors, key=_front_m2), "fridge")
-    return _plain(piece)
+    if stands and is_called_a("drawers", piece.label) and len(drawers) == 1 and not doors:
+        return _opening(foreign, piece, drawers[0], "drawers")
+    if stands and is_called_a("fridge", piece.label) and len(doors) == 1:
+        return _opening(foreign, piece, doors[0], "fridge")
+    return "has parts of its own that open"
 
 
 def _plain(piece: FoundPiece) -> OurPiece | str:
@@ -105,11 +111,6 @@ def _said(kind: str, piece: FoundPiece, size: Array, top: float) -> dict[str, An
         "position_m": place,
         "yaw_rad": piece.yaw_rad,
     }
-
-
-def _front_m2(opening: Opening) -> float:
-    size = opening.high - opening.low
-    return float(size[2] * math.hypot(size[0], size[1]))
 
 
 def _opening(foreign: Foreign, piece: FoundPiece, opening: Opening, kind: str) -> OurPiece | str:

@@ -12,7 +12,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, HandleTarget, handles_in, same_front
-from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, words_for
+from trees.beliefs.scene.scene_update import SceneUpdate, words_for
 from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -133,21 +133,26 @@ class DetectFront(DetectHandle):
     a robot that pushes them, small doors for none.
     """
 
-    _by_handle = ""
+    _by_handle: list[HandleTarget]
 
     def candidates(self, seen: Mapping[str, ObjectEstimate]) -> list[HandleTarget]:
         """Fronts with what they belong to, and with bars that were seen on them before."""
         pushing = self.toolbox.model.description.pushing
-        fronts = fronts_in(seen, pushing.drawers)
-        large = [one for one in fronts if one.kind == DRAWER or is_pushed(seen[one.part], pushing)]
-        self._by_handle = "a door so small" if len(large) < len(fronts) else ""
-        if not pushing.drawers and any(kind_of(name) == DRAWER for name in seen):
-            self._by_handle = "a drawer"
-        return with_known_bars(large, self.toolbox.world.scene)
+        pushed: list[HandleTarget] = []
+        self._by_handle = []
+        for one in fronts_in(seen, drawers=True):
+            pushes = pushing.drawers if one.kind == DRAWER else is_pushed(seen[one.part], pushing)
+            (pushed if pushes else self._by_handle).append(one)
+        return with_known_bars(pushed, self.toolbox.world.scene)
 
     def judge(self, views: list[View]) -> Status | Failure:
-        """What is not pushed is told so that nobody looks for a door behind it."""
+        """What is meant and is not pushed is told, so that nobody looks for it elsewhere."""
         outcome = super().judge(views)
-        if isinstance(outcome, Failure) and outcome.kind is FailureKind.POSTCONDITION and self._by_handle:
-            return Failure.infeasible(f"{self._by_handle} is closed by its handle")
-        return outcome
+        chosen = self.optional("known") is not None
+        if chosen or not isinstance(outcome, Failure) or outcome.kind is not FailureKind.POSTCONDITION:
+            return outcome
+        meant = those_meant(self.get_input("task"), self._by_handle, self.toolbox.places)
+        if not meant:
+            return outcome
+        what = "a drawer" if any(one.kind == DRAWER for one in meant) else "a door so small"
+        return Failure.infeasible(f"{what} is closed by its handle")

@@ -119,11 +119,7 @@ def is_pushed(front: ObjectEstimate, pushing: Pushing) -> bool:
     if not isinstance(front.shape, Box):
         return True
     _, width_m, height_m = front.shape.size_m
-    middle_m = float(front.odom_T_object[2, 3])
-    return (
-        any(away_m <= width_m and abs(at_m - middle_m) <= 0.5 * height_m for away_m, at_m in pushing.places_m)
-        and height_m >= _LARGE_M
-    )
+    return height_m >= _LARGE_M and any(away_m <= width_m for away_m, _ in pushing.places_m)
 
 
 def with_known_bars(fronts: Sequence[HandleTarget], scene: PlanningScene) -> list[HandleTarget]:

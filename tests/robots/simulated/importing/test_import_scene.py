@@ -91,14 +91,29 @@ def test_free_bodies_are_objects_by_their_names_where_they_stand(tmp_path, seed)
 
 @pytest.mark.parametrize("yaw_deg", [0, 35, 140, -110])
 def test_a_chest_that_is_turned_is_one_of_ours_with_its_handle_where_it_is(tmp_path, yaw_deg):
-    written = import_scene(scene_of(tmp_path, table() + cabinet(yaw_deg, drawers=2)))
+    chest = cabinet(yaw_deg).replace("wooden_cabinet_1", "oak_chest_1")
+    written = import_scene(scene_of(tmp_path, table() + chest))
     piece = next(one for one in load_scene(str(written.scene)).furniture if one.kind == "drawers")
 
     assert np.degrees(piece.yaw_rad) == pytest.approx(yaw_deg, abs=0.1)
     assert piece.size_m == pytest.approx((0.41, 0.62, 0.71), abs=0.02)
     assert piece.opens.handle_length_m == pytest.approx(0.156, abs=0.01)
     assert piece.opens.handle_radius_m == pytest.approx(0.008, abs=0.002)
-    assert any("drawer_1 does not move here" in line for line in written.told)
+
+
+@pytest.mark.parametrize(
+    ("called", "drawers"), [("wooden_cabinet_1", 2), ("wooden_cabinet_1", 1), ("chest_1", 2)]
+)
+def test_what_is_called_otherwise_or_has_more_that_opens_keeps_its_name_and_all_of_it(
+    tmp_path, called, drawers
+):
+    piece_xml = cabinet(20, drawers=drawers).replace("wooden_cabinet_1", called)
+    written = import_scene(scene_of(tmp_path, table() + piece_xml))
+    piece = next(one for one in load_scene(str(written.scene)).furniture if one.openings)
+
+    assert piece.name == called.removesuffix("_1").replace("_", " ")
+    assert len(piece.openings) == drawers
+    assert not any("does not move" in line for line in written.told)
 
 
 @pytest.mark.parametrize("yaw_deg", [0, 60, -90])
