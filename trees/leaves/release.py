@@ -18,7 +18,7 @@ from trees.toolbox import Toolbox
 # An object let go nearer than this to where it stood still stands.
 _SAFE_DROP_M = 0.015
 _LETS_GO_M = 0.02
-"""So much wider than a bar fingers are that have let go of it."""
+"""So much wider than they are about a bar, however they hold it, fingers are that have let go of it."""
 
 
 class Release(MotionLeaf):
@@ -67,7 +67,7 @@ class Release(MotionLeaf):
             )
         opening_m = grasp.opening_m
         if opening_m is not None and self._at_bar:
-            opening_m = min(opening_m, grasp.diameter_m + _LETS_GO_M)
+            opening_m = max(grasp.diameter_m, gripper.reading().opening_m) + _LETS_GO_M
         return gripper.open(opening_m)
 
     def finish(self) -> Status | Failure:

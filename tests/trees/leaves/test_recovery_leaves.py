@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from py_trees.common import Status
@@ -29,6 +31,28 @@ def test_release_opens_an_empty_hand(knowing, planned):
 
     assert knowing.run(Release("release", knowing.toolbox), grasp=planned.grasp) is Status.SUCCESS
     assert knowing.fake.grippers["right"].reading().opening_m > 0.09
+
+
+@pytest.mark.parametrize("diameter_m", [0.0, 0.03])
+def test_release_lets_go_of_a_bar_by_opening_a_little_more_than_the_fingers_are(knowing, planned, diameter_m):
+    planned.grip()
+    gripper = knowing.fake.grippers[planned.grasp.hand]
+    about_m = gripper.reading().opening_m
+    at_bar = replace(planned.grasp, opening_m=about_m - 0.01, diameter_m=diameter_m)
+
+    status = knowing.run(Release("let go", knowing.toolbox, at_bar=True), grasp=at_bar)
+
+    assert status is Status.SUCCESS
+    assert gripper.reading().opening_m == pytest.approx(max(about_m, diameter_m) + 0.02, abs=0.004)
+
+
+def test_release_opens_as_wide_as_a_grasp_says_before_it(knowing, planned):
+    knowing.fake.grippers["right"].empty = True
+    narrow = replace(planned.grasp, opening_m=0.05)
+    planned.grip()
+
+    assert knowing.run(Release("open gripper", knowing.toolbox), grasp=narrow) is Status.SUCCESS
+    assert knowing.fake.grippers[narrow.hand].reading().opening_m == pytest.approx(0.05, abs=0.004)
 
 
 def test_release_has_nothing_to_do_before_a_hand_was_used(stage):
