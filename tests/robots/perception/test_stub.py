@@ -9,6 +9,7 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from kinematics.model.camera_description import CameraDescription
+from kinematics.scene.known_part import KnownPart
 from robots.clock import ManualClock
 from robots.perception.stub import PerceptionStub
 from robots.perception.truth_view import TrueObject
@@ -406,3 +407,20 @@ def test_a_calibration_is_wrong_for_everything_alike_and_declared_as_that():
         off.append(wrong[0])
 
     assert 0.004 < np.std(off) < 0.006
+
+
+def test_where_a_model_has_a_part_shut_is_as_wrong_as_its_piece_is():
+    panel, place = Box((0.02, 0.3, 0.2)), poses.translation(1.2, 0.1, 1.0)
+    moves = KnownPart(place, 0.2, "cabinet", "top drawer")
+    body = thing("cabinet/top", (1.4, 0.1, 1.1), "fixture", None, Box((0.3, 0.3, 0.02)), "furniture")
+    front = replace(
+        thing("cabinet/top drawer/front", (1.1, 0.1, 1.0), "drawer", None, panel, "furniture"), moves=moves
+    )
+    bench = Bench(body, front, model=replace(EXACT, bias_m=0.02), seed=4)
+    _, frame = bench.run(0.3)[-1]
+    seen = {one.kind: one for one in frame.detections}
+    off = bench.truth.camera @ seen["fixture"].camera_T_object[:, 3] - body.world_T_object[:, 3]
+    shut = bench.truth.camera @ seen["drawer"].moves.shut
+
+    assert np.linalg.norm(off) > 0.005
+    np.testing.assert_allclose(shut[:3, 3], place[:3, 3] + off[:3], atol=1e-9)

@@ -87,9 +87,7 @@ class DetectHandle(LookLeaf):
         elif len(fitting) == 1:
             (handle,) = fitting
         elif isinstance(meant := meant_part(task, fitting, self.toolbox), Failure):
-            if not (meant.choices and _names_place(wanted)):
-                return meant
-            handle = fitting[0]  # the others of the row may not have been seen yet
+            return meant
         else:
             handle = meant
         self._set_output("handle", handle)
@@ -119,11 +117,6 @@ class DetectHandle(LookLeaf):
         """How far a part is from where something was known to be."""
         part = self.toolbox.world.scene.objects[item.part]
         return float(np.linalg.norm((part.world_T_object - known.world_T_object)[:3, 3]))
-
-
-def _names_place(wanted: object) -> bool:
-    """Whether a place in a row is said, "the middle one", which takes all of them to tell."""
-    return isinstance(wanted, ObjectDescription) and wanted.ordinal is not None
 
 
 class DetectFront(DetectHandle):

@@ -4,12 +4,16 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
+from kinematics.scene.planning_scene import SceneObject
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.object_estimate import fuse_frames
+from robots.scenes.furniture import solids
 from tests.trees.cabinet_seen import CABINET, MICROWAVE, believed, estimate, seen, shown
-from trees.beliefs.openings.handles import OPEN_TO, beside_bar, handles_in, opening_in, same_front
+from trees.beliefs.openings.drawer_inside import DrawerInside, inside_of_drawer
+from trees.beliefs.openings.handles import OPEN_TO, beside_bar, goes_with, handles_in, opening_in, same_front
 from trees.beliefs.openings.moved_parts import without_moved_parts
 from trees.beliefs.scene.scene_update import updated_scene
+from trees.failures import FailureKind
 from trees.policy import TreePolicy
 
 ROW = ("top drawer", "middle drawer", "bottom drawer")
@@ -99,11 +103,57 @@ def test_the_next_handle_is_beside_a_bar_and_its_own_front_is_not():
     assert not any(look[name].kind == "drawer bottom" for name in names)
 
 
+def test_of_an_open_drawer_what_is_beside_its_bar_once_it_is_shut_counts_as_well():
+    look = seen(CABINET, top_drawer=0.13)
+
+    names = beside_bar(target_of(look, "top drawer"), believed(look))
+
+    assert ("handle", "middle drawer") in {(look[name].kind, look[name].moves.part) for name in names}
+
+
+def test_the_room_in_the_drawer_that_is_open_is_measured_within_its_own_walls():
+    scene = with_body(believed(seen(CABINET, bottom_drawer=0.12)))
+    shut = with_body(believed(seen(CABINET)))
+
+    room = inside_of_drawer(scene)
+
+    assert isinstance(room, DrawerInside)
+    assert {scene.objects[name].moves.part for name in room.solids} == {"bottom drawer"}
+    assert room.size_m[0] == pytest.approx(0.12, abs=0.015)
+    assert inside_of_drawer(shut).kind is FailureKind.INFEASIBLE
+    top = next(name for name, item in scene.objects.items() if is_front(item, "top drawer"))
+    assert inside_of_drawer(scene, top).kind is FailureKind.INFEASIBLE
+
+
+def is_front(item, part):
+    return item.name.startswith("drawer") and item.moves is not None and item.moves.part == part
+
+
+def with_body(scene):
+    """A scene with what does not move of the cabinet."""
+    for number, one in enumerate(solids(CABINET), start=1):
+        name = "cabinet" if number == 1 else f"cabinet {number}"
+        scene = scene.with_object(SceneObject(name, one.shape, one.world_T_solid, 0.01, movable=False))
+    return scene
+
+
+def test_only_what_is_in_a_drawer_goes_along_with_its_front():
+    look = seen(CABINET, middle_drawer=0.1)
+    target = target_of(look, "middle drawer")
+    goes = {
+        item.moves.part
+        for name, item in believed(look).objects.items()
+        if name.startswith("drawer ") and goes_with(item, target)
+    }
+
+    assert goes == {"middle drawer"}
+
+
 def test_frames_of_neighbours_are_not_taken_for_one():
     """Two handles nearer to each other than the gate of furniture, each with its own error."""
     rng = np.random.default_rng(3)
     bars = [one for one in shown(CABINET) if one.kind == "handle"][:2]
-    apart = poses.translation(0.0, 0.0, bars[0].world_T_object[2, 3] - bars[1].world_T_object[2, 3] - 0.03)
+    apart = poses.translation(0.0, 0.0, bars[0].world_T_object[2, 3] - bars[1].world_T_object[2, 3] - 0.004)
     near = [bars[0].world_T_object, apart @ bars[1].world_T_object]
     frames = [
         PerceptionFrame(

@@ -5,18 +5,24 @@ import pytest
 from py_trees.common import Status
 
 from kinematics.geometry import poses
+from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
+from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from robots.perception.truth_view import TrueObject
 from tests.trees.cabinet_seen import CABINET, MICROWAVE, believed, seen, shown
+from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.openings.handles import handles_in
+from trees.beliefs.scene.believed_thing import surroundings
 from trees.failures import FailureKind
 from trees.skills.doors.choose_handle import ChooseHandle
-from trees.skills.doors.detect_handle import DetectHandle
+from trees.skills.doors.choose_stand_at_handle import ChooseStandAtHandle, place_of
+from trees.skills.doors.detect_handle import DetectFront, DetectHandle
 from trees.skills.doors.front_watch import FrontWatch
 from trees.skills.doors.meant_part import opens_nothing, those_meant
 from trees.skills.doors.pushed_front import fronts_in
 from trees.tasks import CloseTask, ObjectDescription, OpenTask, Relation
 
+HIGH = ((1, 1.0), (2, 0.9), (3, 0.8))
 CABINETS = Relation("in", "cabinet")
 LABELS = {"cabinet drawer", "microwave door", "cup", "door"}
 
@@ -127,3 +133,37 @@ def test_the_next_drawer_is_not_taken_for_the_one_that_a_hand_comes_to(stage_wit
         stage.fake.step()
         moved.append(watch.moved_m())
     assert any(moved)
+
+
+def test_a_door_as_small_as_a_microwaves_is_not_pushed(stage_with):
+    stage = stage_with(*shown(MICROWAVE, door=0.8))
+    stage.fake.detector.labels = frozenset(LABELS)
+    leaf = DetectFront("detect front", stage.toolbox)
+
+    status = stage.run(leaf, task=CloseTask("close it", ObjectDescription("microwave")))
+
+    assert status is Status.FAILURE
+    assert leaf.failure.kind is FailureKind.INFEASIBLE
+    assert leaf.failure.message == "a door so small is closed by its handle"
+
+
+def test_of_three_above_each_other_the_middle_one_is_told_by_its_height():
+    things = [SceneObject(f"box {k}", Box((0.1, 0.1, 0.05)), poses.translation(0.6, 0.0, z)) for k, z in HIGH]
+    around = surroundings(PlanningScene().with_objects(things), np.eye(4), 0.02)
+
+    assert ground(ObjectDescription("box", ordinal="middle"), around) == Found(("box 2",))
+
+
+def test_a_handle_over_a_table_is_reached_from_the_side_of_the_table_that_is_nearest(stage_with):
+    look = seen(CABINET)
+    stage = stage_with(*shown(CABINET))
+    top = SceneObject("table", Box((0.7, 1.5, 0.04)), poses.translation(0.8, 0.0, 0.83), movable=False)
+    stage.told.update(believed(look).with_object(top))
+    target = next(one for one in handles_in(look) if one.moves.part == "top drawer")
+    leaf = ChooseStandAtHandle("choose", stage.toolbox)
+    stage.ready(leaf, task=said("drawer"), handle=target)
+    leaf.begin()
+
+    for body, ahead in ((PlanarPose(0.0, -0.2), 0.0), (PlanarPose(1.6, -0.2), np.pi)):
+        place = leaf.usual(place_of(target), body)
+        assert np.cos(place.yaw_rad - ahead) == pytest.approx(1.0, abs=1e-6)
