@@ -73,7 +73,7 @@ def test_what_leaves_no_room_beside_a_bar_is_said(model):
 
 def test_long_pads_stop_before_the_front_behind_a_bar(model):
     scene, target = look_at("top drawer")
-    bar, nearer = scene.objects[target.handle], poses.translation(*(0.012 * -target.path.at(0.0).outward))
+    bar, nearer = scene.objects[target.handle], poses.translation(*(0.018 * -target.path.at(0.0).outward))
     scene = scene.with_object(replace(bar, world_T_object=nearer @ bar.world_T_object))
     path = target.path.through((nearer @ bar.world_T_object)[:3, 3], 0.0)
     target = replace(target, path=path)

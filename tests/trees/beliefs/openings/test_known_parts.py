@@ -178,6 +178,9 @@ def test_frames_of_neighbours_are_not_taken_for_one():
     told = fuse_frames([(np.eye(4), frame) for frame in frames])
 
     assert sorted(one.moves.part for one in told) == ["middle drawer", "top drawer"]
+    for one in told:
+        own = next(bar for bar in bars if bar.moves.part == one.moves.part)
+        assert one.moves.shut[2, 3] == pytest.approx(own.moves.shut[2, 3], abs=1e-3)
 
 
 def test_where_it_is_shut_is_told_by_all_frames_together():
