@@ -20,8 +20,9 @@ from kinematics.scene.opening_path import DoorArc, DrawerLine, OpeningPath
 from kinematics.scene.planning_scene import FLOOR, PlanningScene, SceneObject
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DOOR, DRAWER, DRAWER_BOTTOM, DRAWER_WALL, HANDLE
+from trees.beliefs.scene.believed_thing import PERSON
 from trees.beliefs.scene.furniture_pieces import gap_to_solid_m
-from trees.beliefs.scene.scene_update import kind_of
+from trees.beliefs.scene.scene_update import is_name, kind_of
 
 INSIDE_KINDS = (DRAWER_BOTTOM, DRAWER_WALL)
 """What goes with a drawer's front, and shows when it is open."""
@@ -125,11 +126,10 @@ def goes_with(item: SceneObject, target: HandleTarget) -> bool:
 
 
 def beside_bar(target: HandleTarget, scene: PlanningScene) -> tuple[str, ...]:
-    """What is fixed around the bar of what is known by a model, here or where it is shut.
+    """What is fixed around the bar of what is known by a model, where it is and where it is while shut.
 
-    Its own front and itself are left out.
-
-    Fingers that open no wider than what is there may come near it: the next drawer's handle, the table.
+    Fingers that open no wider than fits may come near it: the next drawer's handle, the table.
+    Its own front, the bar itself and people are left out.
     """
     if target.moves is None or target.handle not in scene.objects:
         return ()
@@ -138,6 +138,7 @@ def beside_bar(target: HandleTarget, scene: PlanningScene) -> tuple[str, ...]:
         name
         for name, item in sorted(scene.objects.items())
         if not item.movable
+        and not (is_name(name) or kind_of(name) == PERSON)
         and name not in (target.handle, target.part, FLOOR)
         and kind_of(name) not in INSIDE_KINDS
         and min(_away_m(place, item.world_T_object, item.shape) for place in places) <= _ABOUT_BAR_M
@@ -284,11 +285,11 @@ def opening_of(kind: str, front: ObjectEstimate, bodies: list[tuple[Transform, S
     return max(0.0, to_front_m - 0.5 * depth_m - _PANEL_TO_BODY_M)
 
 
-def _opening_by_model(odom_T_front: Transform, front: KnownPart) -> float:
+def _opening_by_model(odom_T_front: Transform, moves: KnownPart) -> float:
     """How far a front is from where a model has it shut."""
-    shut_T_front = poses.inverse(front.shut) @ odom_T_front
-    if front.side:
-        return max(0.0, -front.side * poses.yaw_of(shut_T_front[:3, :3]))
+    shut_T_front = poses.inverse(moves.shut) @ odom_T_front
+    if moves.side:
+        return max(0.0, -moves.side * poses.yaw_of(shut_T_front[:3, :3]))
     return max(0.0, -float(shut_T_front[0, 3]))
 
 

@@ -72,11 +72,15 @@ class ChooseStandAtHandle(ChooseStand):
         sides = sides_of(top.shape, top.world_T_object, PlanarPose(x, y), toward=PlanarPose(x, y))
         return sorted(sides, key=body.distance_m)
 
+    @property
+    def may_help(self) -> bool:
+        """Whether another place can be better: what has no model is moved from square before it, or not."""
+        target: HandleTarget = self.get_input("handle")
+        return self.toolbox.can_walk and target.moves is not None
+
     def step(self) -> Status | Failure:
-        """Nowhere else for who cannot walk, and for what is usually moved from square before it."""
-        if self.toolbox.walking is None or self._settings is None:
-            return Failure.infeasible(f"{self.toolbox.model.description.name} cannot walk here")
-        if self._target.moves is None:
+        """Ask of one place after the other, where that may help."""
+        if not self.may_help:
             return Failure.infeasible(f"the {self._target.part} is moved from before it, or not at all")
         return super().step()
 

@@ -7,9 +7,10 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from trees.failures import Failure
 from trees.nodes.alternatives import Alternatives
 from trees.nodes.best_effort import BestEffort
-from trees.nodes.judgements import defect
+from trees.nodes.judgements import defect, judgement
 from trees.nodes.retry import Retry
 from trees.skills.doors.choose_stand_at_handle import ChooseStandAtHandle, WalkToStandAtHandle
 from trees.skills.doors.handle_standing import WalkToHandle
@@ -48,7 +49,15 @@ def come_to_handle(toolbox: Toolbox, look: Callable[[str], Behaviour]) -> Behavi
         "come to it",
         [StandsThereAlready("stand well already", toolbox), walks, stand_aside(toolbox, look)],
         hopeless=defect,
+        worth_trying=is_known_by_a_model,
     )
+
+
+@judgement
+def is_known_by_a_model(way: Behaviour, _failure: Failure | None) -> bool:
+    """Standing aside only for what is known by a model, and by who can walk; any other way always."""
+    leaves = [leaf for leaf in way.iterate() if isinstance(leaf, ChooseStandAtHandle)]
+    return not leaves or leaves[0].may_help
 
 
 def stand_aside(toolbox: Toolbox, look: Callable[[str], Behaviour]) -> Behaviour:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
+from kinematics.geometry.shapes import Box
 from kinematics.scene.planning_scene import SceneObject
 from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.object_estimate import fuse_frames
@@ -101,6 +102,17 @@ def test_the_next_handle_is_beside_a_bar_and_its_own_front_is_not():
     assert {("handle", "top drawer"), ("handle", "bottom drawer")} <= parts
     assert ("drawer", "middle drawer") not in parts
     assert not any(look[name].kind == "drawer bottom" for name in names)
+
+
+@pytest.mark.parametrize("who", ["Ana", "person 2"])
+def test_nobody_who_stands_at_a_bar_may_be_touched(who):
+    look = seen(CABINET)
+    target = target_of(look, "top drawer")
+    body = SceneObject(
+        who, Box((0.3, 0.4, 1.7)), poses.translation(*target.path.at(0.0).position_m), 0.1, False
+    )
+
+    assert who not in beside_bar(target, believed(look).with_object(body))
 
 
 def test_of_an_open_drawer_what_is_beside_its_bar_once_it_is_shut_counts_as_well():
