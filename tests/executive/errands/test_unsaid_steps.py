@@ -452,6 +452,18 @@ def test_a_drawer_is_opened_before_something_is_put_in_unless_it_is_open():
 
 
 @pytest.mark.requirement("M3")
+@pytest.mark.parametrize(
+    ("said", "to"), [("the top drawer of the shelf", "shelf"), ("the drawer", "drawers")]
+)
+def test_what_is_held_is_carried_to_what_the_drawer_is_in(said, to):
+    known = Known(rooms=frozenset({"kitchen"}), drawer_is_open=True)
+
+    steps = prepared(parse(f"pick up the red cup and put it in {said}").commands, True, known)
+
+    assert str(steps[-2].command.to) == to
+
+
+@pytest.mark.requirement("M3")
 def test_what_is_held_is_put_down_until_the_drawer_is_open():
     commands = parse("put the red cup in the drawer").commands
 

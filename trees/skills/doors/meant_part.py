@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from robots.scenes.scene_description import Region
@@ -10,6 +10,7 @@ from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
+from trees.beliefs.grounding.part_words import PLACES, is_at, is_of, places_told, whole_in
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.ranking import wrong_side
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, SHUT, HandleTarget
@@ -19,14 +20,6 @@ from trees.readings.odometry import what_is_around
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
-_PLACES: Mapping[str, str] = {
-    **dict.fromkeys(("top", "topmost", "upper"), "top"),
-    **dict.fromkeys(("middle", "central"), "middle"),
-    **dict.fromkeys(("bottom", "lowest", "lower"), "bottom"),
-    **dict.fromkeys(("left", "leftmost"), "left"),
-    **dict.fromkeys(("right", "rightmost"), "right"),
-}
-"""Words for a place among the parts of a piece, by the one that names of parts have."""
 _NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
 """What nobody calls the only one."""
 
@@ -48,7 +41,7 @@ def meant_part(
     described = replace(_described(task), name=None)
     if whole_of(task, toolbox.places) and all(item.moves is not None for item in fitting):
         described = replace(described, relation=None)
-    if described.ordinal in _PLACES and all(_places_told(item) for item in fitting):
+    if described.ordinal in PLACES and all(places_told(item.moves) for item in fitting):
         described = replace(described, ordinal=None)  # a model has told which is where
     around = what_is_around(toolbox)
     parts = {item.part: item for item in fitting}
@@ -102,34 +95,15 @@ def those_meant(
         places: Names of the rooms on the map.
     """
     noun, whole, place = noun_of(task), whole_of(task, places), _described(task).ordinal
-    return [item for item in items if _is_of(whole, item) and _is_a(noun, item) and _is_at(place, item)]
+    return [
+        item for item in items if _is_a(noun, item) and is_of(whole, item.moves) and is_at(place, item.moves)
+    ]
 
 
 def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
     """The piece that it is said to be in: "cabinet" of "the top drawer of the cabinet"; a room is none."""
-    relation = _described(task).relation
-    if relation is None or relation.kind != "in" or str(relation.to) in places:
-        return None
-    return str(relation.to)
-
-
-def _is_at(place: str | None, item: HandleTarget) -> bool:
-    """Whether a part is where it is said to be among those of its piece, as far as a model tells that.
-
-    The top one of three is not the only one that is seen. What the model calls by no place may be any.
-    """
-    said = _places_told(item)
-    return not said or place not in _PLACES or _PLACES.get(place or "") in said
-
-
-def _places_told(item: HandleTarget) -> set[str]:
-    """The places that are in a part's name: "top" of "top drawer"."""
-    words = () if item.moves is None else item.moves.part.split()
-    return {_PLACES[word] for word in words if word in _PLACES}
-
-
-def _is_of(whole: str | None, item: HandleTarget) -> bool:
-    return whole is None or item.moves is None or is_said_of(whole, item.moves.of)
+    whole = whole_in(_described(task))
+    return None if whole in places else whole
 
 
 def _is_a(noun: str | None, item: HandleTarget) -> bool:

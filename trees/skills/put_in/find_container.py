@@ -10,8 +10,11 @@ from py_trees.common import Status
 from kinematics.geometry import poses
 from kinematics.requests.place import Spot
 from robots.perception.object_estimate import ObjectEstimate
-from trees.beliefs.grounding.destination import Place, resolve
-from trees.beliefs.openings.drawer_inside import spots_in_drawer
+from robots.scenes.articulated import DRAWER
+from trees.beliefs.grounding.destination import Place, place_from, resolve
+from trees.beliefs.grounding.part_words import is_at, is_of, whole_in
+from trees.beliefs.openings.drawer_inside import LEAST_OPEN_M, spots_in_drawer
+from trees.beliefs.openings.handles import opening_of
 from trees.beliefs.scene.held_object import HeldObject
 from trees.failures import Failure
 from trees.nodes.contract import Contract
@@ -20,7 +23,7 @@ from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
 from trees.skills.place.know_destination import room_beside_m
 from trees.skills.put_in.inside_of import inside_of
-from trees.tasks import PutInTask
+from trees.tasks import ObjectDescription, PutInTask
 
 # Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
 _DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
@@ -44,7 +47,8 @@ class FindContainer(LookAround):
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose the container, and measure it."""
         held = self.get_input("held")
-        place = resolve(self.get_input("task").to, seen, self.around(), "to")
+        to = self.get_input("task").to
+        place = _drawer_of_model(to, seen) or resolve(to, seen, self.around(), "to")
         if isinstance(place, Failure):
             return place
         spots = self._spots_in(held, place)
@@ -62,6 +66,26 @@ class FindContainer(LookAround):
             return _spots(held, place)
         inside = inside_of(place, self.toolbox.world.scene)
         return inside if isinstance(inside, Failure) else spots_in_drawer(held, inside)
+
+
+def _drawer_of_model(to: object, seen: Mapping[str, ObjectEstimate]) -> Place | None:
+    """The drawer that is meant of pieces that are recognised by models; of several the one that is open."""
+    if not isinstance(to, ObjectDescription) or to.kind != DRAWER:
+        return None
+    meant = {
+        name: item
+        for name, item in seen.items()
+        if item.kind == DRAWER
+        and item.moves is not None
+        and is_of(whole_in(to), item.moves)
+        and is_at(to.ordinal, item.moves)
+    }
+    ajar = {name: item for name, item in meant.items() if opening_of(DRAWER, item, []) > LEAST_OPEN_M}
+    for few in (meant, ajar):
+        if len(few) == 1:
+            ((name, item),) = few.items()
+            return place_from(name, item)
+    return None
 
 
 def _spots(held: HeldObject, place: Place) -> tuple[Spot, ...]:

@@ -9,10 +9,11 @@ from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
 from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene
+from tests.trees.cabinet_seen import CABINET, shown
 from tests.trees.household_stage import RED_CUP, asked, run
 from trees.events import LeafFailed
 from trees.failures import FailureKind
-from trees.tasks import DescribeTask, ObjectDescription, PutInTask
+from trees.tasks import DescribeTask, ObjectDescription, PutInTask, Relation
 
 
 def test_a_cup_is_put_into_a_bowl(stage_with):
@@ -107,6 +108,19 @@ def test_a_cup_is_put_into_an_open_drawer(stage_with):
     assert tree.evidence["in"] == "drawer"
     assert 0.45 < place[0] < 0.72
     assert 0.2 < place[1] < 0.56
+
+
+@pytest.mark.parametrize(("place", "is_open"), [("bottom", True), ("top", False)])
+def test_a_cup_is_put_into_the_drawer_that_is_said_if_that_one_is_open(stage_with, place, is_open):
+    stage = stage_with(*shown(CABINET, bottom_drawer=0.13), cup(place_m=(0.69, -0.27), table_height_m=1.285))
+    to = ObjectDescription("drawer", ordinal=place, relation=Relation("in", "cabinet"))
+
+    tree = run(stage, PutInTask("put it in", RED_CUP, to))
+
+    front = next(one for one in shown(CABINET) if one.name == "cabinet/bottom drawer/front")
+    away = stage.fake.world.object("red cup").world_T_object[:2, 3] - front.world_T_object[:2, 3]
+    assert tree.status == ("success" if is_open else "failure")
+    assert bool(np.linalg.norm(away) < 0.12) is is_open
 
 
 @pytest.mark.requirement("F1")
