@@ -44,6 +44,7 @@ from robots.perception.rgbd.surfaces import MOST_TILT_RAD, Surface, find_surface
 from robots.perception.rgbd.wholes import with_wholes
 from robots.scenes.articulated import PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS, WALL
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import Furniture
 
 PICTURED_BELOW = 0.6
@@ -139,7 +140,7 @@ class Eyes:
     @property
     def labels(self) -> frozenset[str] | None:
         """The words that it can tell; None: any."""
-        own = kinds() | {*FURNITURE_KINDS, *PART_KINDS, "person"}
+        own = kinds() | ({*FURNITURE_KINDS, *PART_KINDS, "person"} - {FIXTURE})
         if self._labeller is None:
             return own
         return None if self._labeller.words is None else own | self._labeller.words
