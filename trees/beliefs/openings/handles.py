@@ -47,6 +47,8 @@ CLOSE_TO: Mapping[str, float] = {DOOR: -math.radians(4.0), DRAWER: -0.03}
 """Where a handle is led to close: somewhat beyond, for what the opening was misjudged by."""
 _OPEN_SHARE = 0.92
 """Of the whole way of a short drawer, or of a door that opens less far than others."""
+_ENOUGH_SHARE = 0.85
+"""Of where such a part is opened to: a hand turns about its bar, and a short way is told less exactly."""
 _ABOUT_BAR_M = 0.12
 """Farther from a bar no finger is that takes hold of it."""
 _PANEL_TO_BODY_M = 0.02
@@ -92,7 +94,7 @@ class HandleTarget:
     @property
     def open_enough(self) -> float:
         """From where on it counts as open, rad or m."""
-        return self.open_to * (OPEN_ENOUGH[self.kind] / OPEN_TO[self.kind])
+        return OPEN_ENOUGH[self.kind] if self.moves is None else _ENOUGH_SHARE * self.open_to
 
     @property
     def close_to(self) -> float:
