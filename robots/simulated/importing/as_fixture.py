@@ -10,13 +10,19 @@ import numpy as np
 from kinematics.arrays import Array
 from kinematics.geometry import poses
 from robots.scenes.furniture_names import BUTTON, KNOB
-from robots.simulated.importing.as_opening import movable, names_of, opening_values
+from robots.simulated.importing.as_opening import (
+    box_of,
+    movable,
+    names_of,
+    numbers,
+    opening_values,
+    within,
+)
 from robots.simulated.importing.bodies import Foreign
 from robots.simulated.importing.inventory import FoundPiece
 from robots.simulated.importing.openings import Opening
 from robots.simulated.importing.regions import region_values, regions_of
 
-_THINNEST_M = 0.002
 _LENGTH_M, _RADIUS_M = (0.006, 0.06), (0.008, 0.05)
 _BUTTON_M = (0.003, 0.03)
 _KNOB_RAD = (0.3, 6.0)
@@ -62,11 +68,11 @@ def fixture_values(foreign: Foreign, piece: FoundPiece, ground_m: float) -> tupl
     origin = np.array([middle[0], middle[1], ground_m])
     values: dict[str, Any] = {
         "kind": "fixture",
-        "size_m": _numbers([*(high - low)[:2], high[2] - ground_m]),
-        "position_m": _numbers(place[:2]),
+        "size_m": numbers([*(high - low)[:2], high[2] - ground_m]),
+        "position_m": numbers(place[:2]),
         "yaw_rad": round(float(yaw), 5),
         "foot_m": round(max(float(low[2] - ground_m), 0.0), 4),
-        "box": [_box(cloud - origin) for cloud in clouds],
+        "box": [box_of(cloud - origin) for cloud in clouds],
     }
     said = _controls(foreign, controls, to_own, origin)
     if said:
@@ -95,14 +101,6 @@ def _front_yaw(piece: FoundPiece) -> float:
     return piece.yaw_rad
 
 
-def _box(cloud: Array) -> dict[str, Any]:
-    low, high = cloud.min(axis=0), cloud.max(axis=0)
-    return {
-        "size_m": _numbers(np.maximum(high - low, _THINNEST_M)),
-        "position_m": _numbers(0.5 * (low + high)),
-    }
-
-
 def _controls(
     foreign: Foreign, controls: list[Opening], to_own: Array, origin: Array
 ) -> list[dict[str, Any]]:
@@ -128,11 +126,11 @@ def _controls(
             {
                 "name": name,
                 "kind": one.kind,
-                "position_m": _numbers(at),
+                "position_m": numbers(at),
                 "facing": "top" if top else "front",
-                "radius_m": _within(0.5 * max(size[axis] for axis in across), _RADIUS_M),
-                "length_m": _within(size[out], _LENGTH_M),
-                "travel": _within(one.range, _KNOB_RAD if knob else _BUTTON_M),
+                "radius_m": within(0.5 * max(size[axis] for axis in across), _RADIUS_M),
+                "length_m": within(size[out], _LENGTH_M),
+                "travel": within(one.range, _KNOB_RAD if knob else _BUTTON_M),
             }
         )
         if not knob:
@@ -144,11 +142,3 @@ def _called(foreign: Foreign, one: Opening) -> str:
     words = foreign.name(one.body).replace("_", " ").split()
     digits = [word for word in words if word.isdigit()]
     return " ".join([one.kind, *digits[-1:]]) if len(words) > 1 or digits else one.kind
-
-
-def _numbers(values: Any) -> list[float]:
-    return [round(float(value), 4) for value in values]
-
-
-def _within(value: Any, bounds: tuple[float, float]) -> float:
-    return round(float(np.clip(value, *bounds)), 4)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -74,24 +74,22 @@ def opening_values(
     values: dict[str, Any] = {
         "name": name,
         "kind": one.kind,
-        "travel": _within(one.range, _TRAVEL[one.kind]),
-        "mass_kg": _within(
-            sum(foreign.model.body_mass[each] for each in foreign.subtree(one.body)), _MASS_KG
-        ),
+        "travel": within(one.range, _TRAVEL[one.kind]),
+        "mass_kg": within(sum(foreign.model.body_mass[each] for each in foreign.subtree(one.body)), _MASS_KG),
         "friction": _friction(foreign, one),
-        "box": [_box(cloud) for cloud in [front, *rest]],
+        "box": [box_of(cloud) for cloud in [front, *rest]],
     }
     if one.kind == "door":
         at = to_own @ one.anchor - origin
         low, high = front[:, 1].min(), front[:, 1].max()
         values["hinge"] = "left" if float(at[1]) > 0.5 * float(low + high) else "right"
-        values["hinge_m"] = _numbers(at[:2])
+        values["hinge_m"] = numbers(at[:2])
     if bar is not None and one.handle is not None:
         along = to_own @ one.handle.along
         values["bar"] = {
-            "position_m": _numbers(bar),
-            "length_m": _within(one.handle.length_m, _BAR_LENGTH_M),
-            "radius_m": _within(0.5 * one.handle.thick_m, _BAR_RADIUS_M),
+            "position_m": numbers(bar),
+            "length_m": within(one.handle.length_m, _BAR_LENGTH_M),
+            "radius_m": within(0.5 * one.handle.thick_m, _BAR_RADIUS_M),
             "upright": bool(abs(float(along[2])) > abs(float(along[1]))),
         }
     return values
@@ -144,17 +142,20 @@ def _friction(foreign: Foreign, one: Opening) -> float:
     return round(min(said, _MOST_FRICTION) if said > 0.0 else _FRICTION[one.kind], 4)
 
 
-def _box(cloud: Array) -> Mapping[str, Any]:
+def box_of(cloud: Array) -> dict[str, Any]:
+    """A box of a scene file about some corners, shape (n, 3)."""
     low, high = cloud.min(axis=0), cloud.max(axis=0)
     return {
-        "size_m": _numbers(np.maximum(high - low, _THINNEST_M)),
-        "position_m": _numbers(0.5 * (low + high)),
+        "size_m": numbers(np.maximum(high - low, _THINNEST_M)),
+        "position_m": numbers(0.5 * (low + high)),
     }
 
 
-def _numbers(values: Any) -> list[float]:
+def numbers(values: Any) -> list[float]:
+    """As a scene file has them, to a tenth of a millimetre."""
     return [round(float(value), 4) for value in values]
 
 
-def _within(value: Any, bounds: tuple[float, float]) -> float:
+def within(value: Any, bounds: tuple[float, float]) -> float:
+    """The same of one number, within what a scene allows."""
     return round(float(np.clip(value, *bounds)), 4)
