@@ -11,6 +11,8 @@ from executive.vocabulary.written import split_words
 
 _LONGEST = 8
 """Words of a name; a longer one is nothing that somebody says."""
+_OPENS = " door", " drawer"
+"""Ends of labels that tell what opens of a thing, "microwave door": that is said of any thing as it is."""
 
 
 @contextmanager
@@ -25,7 +27,9 @@ def words_of_the_place(labels: Iterable[str] | None, people: Iterable[str] = ())
     things = known.things
     if labels is not None:
         words = {" ".join(label.casefold().replace("-", " ").split()) for label in labels}
-        things = tuple(sorted(word for word in words if 0 < len(word.split()) <= _LONGEST))
+        things = tuple(
+            sorted(word for word in words if 0 < len(word.split()) <= _LONGEST and not word.endswith(_OPENS))
+        )
     names = {" ".join(name.split()) for name in people}
     said = tuple(sorted(name for name in names if 0 < len(list(split_words(name))) <= _LONGEST))
     token = WORDS.set(PlaceWords(things, said))

@@ -137,3 +137,13 @@ def test_a_word_stays_what_it_is_though_somebody_is_called_by_it():
         (command,) = parse("will you pick up the green cup").commands
 
     assert command.object == ObjectDescription("cup", "green")
+
+
+def test_what_has_a_door_or_drawers_is_no_thing_of_that_name():
+    with words_of_the_place(("microwave", "microwave door", "cabinet", "cabinet drawer")):
+        (door,) = parse("open the microwave door").commands
+        (drawer,) = parse("open the top drawer of the cabinet").commands
+
+    assert door.object == ObjectDescription("microwave")
+    assert (drawer.object.kind, drawer.object.ordinal) == ("drawer", "top")
+    assert str(drawer.object.relation.to) == "cabinet"

@@ -12,7 +12,7 @@ from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, HandleTarget, handles_in, same_front
-from trees.beliefs.scene.scene_update import SceneUpdate, words_for
+from trees.beliefs.scene.scene_update import SceneUpdate, kind_of, words_for
 from trees.failures import Failure, FailureKind
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
@@ -98,8 +98,10 @@ class DetectHandle(LookLeaf):
         """Why a look shows none: what is named shows no front at all, or there may be one elsewhere."""
         noun, places = noun_of(task), self.toolbox.places
         what = noun or "door or drawer"
-        fronts = {item.moves.of for item in update.scene.objects.values() if item.moves is not None}
-        fronts |= with_fronts(self.toolbox.detector.labels or ())
+        kind = None if noun is None else MEANT_BY.get(noun)
+        objects = update.scene.objects.items()
+        known = [f"{item.moves.of} {kind_of(name)}" for name, item in objects if item.moves is not None]
+        fronts = with_fronts({*known, *(self.toolbox.detector.labels or ())}, kind)
         shown = {
             words_for(one)
             for one in update.seen.values()

@@ -127,9 +127,15 @@ def opens_nothing(task: OpenTask | CloseTask, labels: Collection[str] | None = N
     return f"{with_article(noun)} is nothing that I can open or close"
 
 
-def with_fronts(labels: Collection[str]) -> set[str]:
-    """What has doors or drawers, by the words that perception can tell: "microwave" of "microwave door"."""
-    return {label.rpartition(" ")[0] for label in labels if label.rpartition(" ")[2] in BODY_OF} - {""}
+def with_fronts(labels: Collection[str], kind: str | None) -> set[str]:
+    """What has doors or drawers, by the words that perception can tell: "microwave" of "microwave door".
+
+    Args:
+        labels: Those words.
+        kind: "door" or "drawer"; None for both.
+    """
+    split = (label.rpartition(" ") for label in labels)
+    return {of for of, _, part in split if of and part in ((kind,) if kind else BODY_OF)}
 
 
 def _has(noun: str, label: str) -> bool:

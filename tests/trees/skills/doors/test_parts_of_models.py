@@ -92,6 +92,17 @@ def test_what_shows_no_front_and_is_known_to_have_none_is_told_at_once(stage_wit
     assert leaf.failure.message == "the oven has no drawer that I can open or close"
 
 
+def test_what_has_a_door_and_no_drawer_is_told_to_have_none(stage_with):
+    stage = stage_with(*shown(MICROWAVE))
+    stage.fake.detector.labels = frozenset(LABELS)
+    leaf = DetectHandle("detect", stage.toolbox)
+
+    status = stage.run(leaf, task=said("drawer", relation=Relation("in", "microwave")))
+
+    assert status is Status.FAILURE
+    assert leaf.failure.message == "the microwave has no drawer that I can open or close"
+
+
 @pytest.mark.parametrize(
     ("noun", "refused"),
     [("microwave", False), ("cabinet", False), ("microwave door", False), ("cup", True), ("kettle", True)],
