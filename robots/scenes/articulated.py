@@ -145,12 +145,6 @@ def moving_solids(item: Furniture) -> tuple[MovingSolid, ...]:
     return _door(item) if item.kind == "fridge" else _drawer(item)
 
 
-def world_T_solid(item: Furniture, world_T_furniture: Transform, solid: MovingSolid) -> Transform:
-    """Where a moving solid is when the scene begins."""
-    pose = world_T_furniture @ furniture_T_part(item) @ opened(item, moving_part(item).opening)
-    return np.asarray(pose @ solid.part_T_solid)
-
-
 def _door(item: Furniture) -> tuple[MovingSolid, ...]:
     part, (_, width, height) = moving_part(item), item.size_m
     side, tall = hinge_side(item), height - 0.1

@@ -112,7 +112,7 @@ def _ranges(one: Opening) -> tuple[tuple[str, float, float, float], ...]:
         ("mass_kg", one.mass_kg, 0.05, 100.0),
         ("friction", one.friction, 0.0, 100.0),
         ("seal_n", one.seal_n, 0.0, 500.0 if one.kind == "door" else 0.0),
-        ("opening", one.opening, 0.0, one.travel),
+        ("open", one.opening, 0.0, one.travel),
         ("handle_friction", one.handle_friction, 0.01, 5.0),
         *bar,
     )

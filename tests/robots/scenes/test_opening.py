@@ -130,7 +130,7 @@ def test_what_is_of_a_usual_kind_is_known_by_no_model(name):
     [
         ("travel = 1.5", "travel = 4.0", "opening[0].travel"),
         ('hinge = "left"', "", "opening[0].hinge"),
-        ("travel = 1.5", "travel = 1.5\nopen = 1.6", "opening[0].opening"),
+        ("travel = 1.5", "travel = 1.5\nopen = 1.6", "opening[0].open"),
         ("travel = 1.5", "travel = 1.5\nopen = 0.5\nlocked = true", "opening[0].locked"),
         ("radius_m = 0.008", "radius_m = 0.08", "opening[0].bar.radius_m"),
         ('name = "door"', 'name = "a/door"', "opening[0].name"),
