@@ -261,13 +261,14 @@ def _there(command: Command, commands: Sequence[Command], known: Known) -> Desti
         return there if beside is None else beside.to
     if behind_of(command, commands) is not None:
         return None
-    return _of_drawer(there) if requires(command, Before.GOAL_OPEN) and _is_drawer(there) else there
+    return _of_drawer(there, known) if requires(command, Before.GOAL_OPEN) and _is_drawer(there) else there
 
 
-def _of_drawer(there: Destination | None) -> Destination:
+def _of_drawer(there: Destination | None, known: Known) -> Destination:
     """What a drawer is said to be part of: "cabinet" of "the top drawer of the cabinet"; else a chest."""
     relation = there.relation if isinstance(there, ObjectDescription) else None
-    return BODY_OF[DRAWER] if relation is None or relation.kind != "in" else relation.to
+    of_chest = relation is None or relation.kind != "in" or relation.to in known.rooms
+    return BODY_OF[DRAWER] if relation is None or of_chest else relation.to
 
 
 def _is_drawer(there: Destination | None) -> bool:

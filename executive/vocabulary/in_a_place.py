@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
 from contextlib import contextmanager
 
 from executive.vocabulary import PlaceWords
@@ -11,8 +12,7 @@ from executive.vocabulary.written import split_words
 
 _LONGEST = 8
 """Words of a name; a longer one is nothing that somebody says."""
-_OPENS = " door", " drawer"
-"""Ends of labels that tell what opens of a thing, "microwave door": that is said of any thing as it is."""
+_OPENS = ("door", "drawer")
 
 
 @contextmanager
@@ -28,7 +28,7 @@ def words_of_the_place(labels: Iterable[str] | None, people: Iterable[str] = ())
     if labels is not None:
         words = {" ".join(label.casefold().replace("-", " ").split()) for label in labels}
         things = tuple(
-            sorted(word for word in words if 0 < len(word.split()) <= _LONGEST and not word.endswith(_OPENS))
+            sorted(word for word in words if 0 < len(word.split()) <= _LONGEST and not _is_part(word, words))
         )
     names = {" ".join(name.split()) for name in people}
     said = tuple(sorted(name for name in names if 0 < len(list(split_words(name))) <= _LONGEST))
@@ -37,3 +37,9 @@ def words_of_the_place(labels: Iterable[str] | None, people: Iterable[str] = ())
         yield
     finally:
         WORDS.reset(token)
+
+
+def _is_part(word: str, words: AbstractSet[str]) -> bool:
+    """Whether a label tells what opens of another, "microwave door": people say that of anything."""
+    of, _, part = word.rpartition(" ")
+    return part in _OPENS and of in words

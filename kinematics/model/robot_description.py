@@ -230,6 +230,11 @@ class GripperDescription:
         ahead_m = max(0.0, _looked_up(self.push_table, width_m) - from_m) if self.push_table else 0.0
         return ahead_m, _looked_up(self.aside_table, width_m)
 
+    @property
+    def finger_links(self) -> tuple[str, ...]:
+        """Every link of the gripper but the one that the fingers hang on: the palm."""
+        return tuple(link for link in self.links if link != self.base_link)
+
     def position_at(self, opening_m: float) -> float:
         """Where the gripper is when its pads are so far apart; beyond the table at the nearer end of it."""
         return _looked_up(tuple(sorted((wide, at) for at, wide in self.opening_table)), opening_m)

@@ -31,7 +31,7 @@ from kinematics.planning.pushing import assumed_bars, outward_of, push_grasps, s
 from kinematics.requests.grasp import Grasp
 from kinematics.requests.handle import HandlePlan, HandleRequest
 from kinematics.requests.step import NoPlan, WhyNoPlan
-from kinematics.scene.concessions import ConcessionReason, touching
+from kinematics.scene.concessions import Concession, ConcessionReason
 from kinematics.scene.opening_path import DoorArc
 from kinematics.scene.planning_scene import PlanningScene
 from kinematics.standing.reserves import HANDED_ON_RESERVE_M, PLANNING_RESERVE_M
@@ -136,10 +136,8 @@ class _HandleTask(PlanningTask):
         place = bar.world_T_object[:3, 3]
         for hand in request.hands:
             gripper = self._model.description.grippers[hand]
-            tilts = _TILTS_RAD if request.beside and gripper.palm_side_m is None else _TILTS_RAD[:1]
-            if isinstance(request.path, DoorArc):
-                tilts = tilts[:1]
-            for tilt in tilts:
+            from_above = self._spares(hand) and not isinstance(request.path, DoorArc)
+            for tilt in _TILTS_RAD if from_above else _TILTS_RAD[:1]:
                 for turn in gripper.bar.turns_rad:
                     yield from self._turned(hand, turn, tilt, heading, place, diameter)
 
@@ -168,8 +166,7 @@ class _HandleTask(PlanningTask):
                 continue
             ahead = (deeper_m - short_m) * way_to_bar(gripper)
             pose = poses.transform(rotation, place + rotation @ (ahead - bar))
-            opening_m = self._opening_m(hand, pose, diameter)
-            yield Grasp(hand, label, pose, APPROACH_M, diameter, opening_m=opening_m)
+            yield Grasp(hand, label, pose, APPROACH_M, diameter)
 
     def _kept_off_m(self, hand: Hand, place: Array) -> float:
         """How far before the bar's middle pads have to stop that would else meet the front behind it."""
@@ -182,32 +179,36 @@ class _HandleTask(PlanningTask):
         behind_m = off_m - 0.5 * front.shape.size_m[0]
         return min(pad_m + gripper.closing_advance_m + _BEFORE_FRONT_M - behind_m, pad_m - _ON_PADS_M)
 
-    def _opening_m(self, hand: Hand, pose: Array, diameter: float) -> float | None:
-        """How far the fingers open, where something is beside the bar; None for all the way."""
-        gripper, request = self._model.description.grippers[hand], self.request
-        if not request.beside or gripper.palm_side_m is not None:
-            return None
+    def _opening_m(self, grasp: Grasp) -> float | None:
+        """How far pads open at a bar, for what is beside it; None where not even the bar would fit."""
+        request, gripper = self.request, self._model.description.grippers[grasp.hand]
         objects, outward = request.scene.objects, request.path.at(request.s_from).outward
         around = [objects[name] for name in request.beside]
         if (front := objects.get(request.parts[0])) is not None:
             around = [item for item in around if stands_out(item, front, outward)]
-            if abs(float(pose[2, 0])) > _TILTED:  # one finger goes down between the bar and the front
+            if abs(float(grasp.world_T_tcp[2, 0])) > _TILTED:  # one finger goes down between bar and front
                 around.append(front)
-        least_m = diameter + 2.0 * _ABOUT_BAR_M
-        opening_m = fitting_opening_m(gripper, pose, around, least_m)
-        if opening_m is not None and not isinstance(request.path, DoorArc):
-            shut = pose.copy()  # where it lets go of a drawer that it has closed, or begins
+        poses_m = [grasp.world_T_tcp]
+        if not isinstance(request.path, DoorArc):  # it lets go, or begins, where the drawer is shut
+            shut = grasp.world_T_tcp.copy()
             shut[:3, 3] += request.path.at(0.0).position_m - request.path.at(request.s_from).position_m
-            there_m = fitting_opening_m(gripper, shut, around, least_m)
-            opening_m = None if there_m is None else min(opening_m, there_m)
-        if opening_m is None:
-            return 0.0
-        return min(opening_m, diameter + _WIDER_M)
+            poses_m.append(shut)
+        least_m = grasp.diameter_m + 2.0 * _ABOUT_BAR_M
+        found = [fitting_opening_m(gripper, pose, around, least_m) for pose in poses_m]
+        fitting = [opening_m for opening_m in found if opening_m is not None]
+        return min(*fitting, grasp.diameter_m + _WIDER_M) if len(fitting) == len(found) else None
 
-    def _beside(self, hand: Hand) -> tuple[str, ...]:
-        """What the fingers of a hand may come near: pads open no wider than fits; a palm cannot."""
+    def _spares(self, hand: Hand) -> bool:
+        """Whether a hand opens no wider than fits: pads do, fingers on a palm cannot."""
         palm = self._model.description.grippers[hand].palm_side_m
-        return self.request.beside if palm is None else ()
+        return bool(self.request.beside) and palm is None
+
+    def _near(self, hand: Hand) -> Iterator[tuple[str, str]]:
+        """What a hand may touch: its links the bar and its front, its fingers what is beside as well."""
+        gripper = self._model.description.grippers[hand]
+        yield from ((link, part) for link in gripper.touch_links for part in self.request.parts)
+        if self._spares(hand):
+            yield from ((link, name) for link in gripper.finger_links for name in self.request.beside)
 
     def _depth(self, hand: Hand) -> tuple[str, float]:
         """How much deeper than it is seen the bar is looked for, in words and m: another way after each miss.
@@ -230,8 +231,11 @@ class _HandleTask(PlanningTask):
 
     def _plan(self, grasp: Grasp) -> HandlePlan | str:
         request = self.request
-        if grasp.opening_m == 0.0:
-            return "no room for fingers beside the handle"
+        if self._spares(grasp.hand):
+            opening_m = self._opening_m(grasp)
+            if opening_m is None:
+                return "no room for fingers beside the handle"
+            grasp = dataclasses.replace(grasp, opening_m=opening_m)
         ik = self.ik_of(grasp.hand)
         found = self._at(grasp)
         if found is None:
@@ -293,9 +297,8 @@ class _HandleTask(PlanningTask):
         reach = self.path(x_pregrasp, arms, np.random.default_rng(self.request.seed))
         if reach is None:
             return "no path to the handle"
-        links = self._model.description.grippers[grasp.hand].touch_links
-        near = (*self.request.parts, *self._beside(grasp.hand))
-        in_hand = touching(links, near, ConcessionReason.HANDLE_IN_HAND, "approach")
+        held = ConcessionReason.HANDLE_IN_HAND
+        in_hand = tuple(Concession(frozenset(pair), held, "approach") for pair in self._near(grasp.hand))
         first = self.first_step("reach", reach, _REACH_PACE)
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
@@ -304,6 +307,4 @@ class _HandleTask(PlanningTask):
 
     def _touching(self, hand: Hand) -> PlanningScene:
         """The scene in which this hand may touch the handle and what it is on."""
-        links = self._model.description.grippers[hand].touch_links
-        near = (*self.request.parts, *self._beside(hand))
-        return self.request.scene.allowing((link, part) for link in links for part in near)
+        return self.request.scene.allowing(self._near(hand))

@@ -204,7 +204,8 @@ class PerceptionStub:
             for solid, grown in zip(solids, worse, strict=True)
         ]
         world_T_object[:, :3, :3] @= _turns(model.orientation_noise_rad * noise[:, 3:6])
-        camera_T_object = self.faults.turned(poses.inverse(world_T_camera) @ world_T_object)
+        camera_T_world = poses.inverse(world_T_camera)
+        camera_T_object = self.faults.turned(camera_T_world @ world_T_object)
         return [
             Detection(
                 category=solid.category,
@@ -217,7 +218,7 @@ class PerceptionStub:
                 names=solid.names,
                 categories=solid.categories,
                 traits=self._traits(solid),
-                moves=self._moves(solid, world_T_camera),
+                moves=self._moves(solid, camera_T_world),
                 error=alike_in_all_directions(
                     _declared(grown * model.bias_m),
                     _declared(grown * model.noise_m),
@@ -245,13 +246,13 @@ class PerceptionStub:
         told = self._traits_rng.random(len(solid.traits)) >= self._model.trait_dropout
         return tuple(trait for trait, kept in zip(solid.traits, told, strict=True) if kept)
 
-    def _moves(self, solid: TrueObject, world_T_camera: Transform) -> KnownPart | None:
+    def _moves(self, solid: TrueObject, camera_T_world: Transform) -> KnownPart | None:
         """Of what is recognised by its model: where that has it shut, as far off as its piece is."""
         if solid.moves is None:
             return None
         shut = solid.moves.shut.copy()
         shut[:3, 3] += self._calibration_m + self._bias_m(solid.name.partition("/")[0])
-        return replace(solid.moves, shut=poses.inverse(world_T_camera) @ shut)
+        return replace(solid.moves, shut=camera_T_world @ shut)
 
     def _confidence(self, camera_T_object: Transform, share: float, noise: float) -> float:
         """Falls with distance, with what hides the object, and towards the edge of the view."""

@@ -147,13 +147,8 @@ def set_role(geom: mujoco.MjsGeom, role: Role) -> None:
     geom.contype, geom.conaffinity = CONTYPE[role], CONAFFINITY[role]
 
 
-def finger_links(gripper: GripperDescription) -> frozenset[str]:
-    """Links whose hulls must not touch objects: all but the palm."""
-    return frozenset(gripper.links) - {gripper.base_link}
-
-
 def _assign_roles(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    fingers = frozenset[str]().union(*(finger_links(item) for item in description.grippers.values()))
+    fingers = frozenset[str]().union(*(item.finger_links for item in description.grippers.values()))
     grippers = frozenset(link for item in description.grippers.values() for link in item.links)
     soles = {sole.link for sole in description.soles}
     camera = description.head_camera

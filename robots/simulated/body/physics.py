@@ -14,7 +14,7 @@ from robots.interface.hardware import RobotData
 from robots.scenes import furniture
 from robots.scenes.moving_parts import moving_parts
 from robots.scenes.scene_description import SceneDescription
-from robots.simulated.body.body_model import ROOT_JOINT, body, finger_links, pad_name, robot_spec
+from robots.simulated.body.body_model import ROOT_JOINT, body, pad_name, robot_spec
 from robots.simulated.body.control_model import control_name
 from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
@@ -136,7 +136,7 @@ class Physics:
         description, scene, model = self.description, self.scene, self.model
         role = np.full(model.ngeom, Role.NONE, dtype=np.int64)
         label = [""] * model.ngeom
-        fingers = frozenset[str]().union(*(finger_links(item) for item in description.grippers.values()))
+        fingers = frozenset[str]().union(*(item.finger_links for item in description.grippers.values()))
         link_of_sole = {sole.frame: sole.link for sole in description.soles}
         solids = {solid.name for piece in scene.furniture for solid in furniture.solids(piece)}
         pads = {pad_name(link) for item in description.grippers.values() for link in item.pad_links}

@@ -12,10 +12,10 @@ from kinematics.geometry import poses
 from robots.scenes.furniture_names import BUTTON, KNOB
 from robots.simulated.importing.as_opening import (
     box_of,
-    movable,
     names_of,
     numbers,
     opening_values,
+    why_stuck,
     within,
 )
 from robots.simulated.importing.bodies import Foreign
@@ -42,7 +42,7 @@ def fixture_values(foreign: Foreign, piece: FoundPiece, ground_m: float) -> tupl
     yaw = _front_yaw(piece)
     to_own = poses.rotation_z(-yaw)
     others = [one for one in piece.openings if one.body not in own]
-    stuck = movable(foreign, others, to_own)
+    stuck = why_stuck(foreign, others, to_own)
     told = list(stuck.values())
     shut = [one for k, one in enumerate(others) if k in stuck]
     moving = [one for k, one in enumerate(others) if k not in stuck]

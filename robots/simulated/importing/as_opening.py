@@ -30,7 +30,7 @@ _THINNEST_M = 0.002
 _IN_COLUMN = {2: ("top", "bottom"), 3: ("top", "middle", "bottom")}
 
 
-def movable(foreign: Foreign, openings: Sequence[Opening], to_own: Array) -> dict[int, str]:
+def why_stuck(foreign: Foreign, openings: Sequence[Opening], to_own: Array) -> dict[int, str]:
     """Why some openings of a piece do not move here, by their places in the list.
 
     Args:

@@ -453,7 +453,12 @@ def test_a_drawer_is_opened_before_something_is_put_in_unless_it_is_open():
 
 @pytest.mark.requirement("M3")
 @pytest.mark.parametrize(
-    ("said", "to"), [("the top drawer of the shelf", "shelf"), ("the drawer", "drawers")]
+    ("said", "to"),
+    [
+        ("the top drawer of the shelf", "shelf"),
+        ("the drawer", "drawers"),
+        ("the drawer in the kitchen", "drawers"),
+    ],
 )
 def test_what_is_held_is_carried_to_what_the_drawer_is_in(said, to):
     known = Known(rooms=frozenset({"kitchen"}), drawer_is_open=True)

@@ -57,6 +57,22 @@ def test_fingers_open_between_the_handles_above_and_below(model):
     assert (0.5 * plan.grasp.opening_m + thick_m(gripper)) * up < away_m - 0.5 * BESIDE_M
 
 
+def test_only_fingers_may_come_near_what_is_beside_a_bar(model):
+    scene, target = look_at("middle drawer")
+    asked = request(model, scene, target)
+
+    plan = HandlePlanner(model).plan(asked)
+
+    gripper = model.description.grippers[plan.grasp.hand]
+    near = {
+        next(iter(one.pair - set(asked.beside)))
+        for one in plan.approach.concessions
+        if one.pair & set(asked.beside)
+    }
+    assert near == set(gripper.finger_links)
+    assert gripper.base_link not in near
+
+
 def test_what_leaves_no_room_beside_a_bar_is_said(model):
     scene, target = look_at("middle drawer")
     bar = scene.objects[target.handle].world_T_object

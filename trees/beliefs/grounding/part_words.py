@@ -2,20 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from kinematics.scene.known_part import KnownPart
 from trees.beliefs.grounding.furniture_called import is_said_of
+from trees.beliefs.grounding.ranking import PLACES
 from trees.tasks import ObjectDescription
-
-PLACES: Mapping[str, str] = {
-    **dict.fromkeys(("top", "topmost", "upper"), "top"),
-    **dict.fromkeys(("middle", "central"), "middle"),
-    **dict.fromkeys(("bottom", "lowest", "lower"), "bottom"),
-    **dict.fromkeys(("left", "leftmost"), "left"),
-    **dict.fromkeys(("right", "rightmost"), "right"),
-}
-"""Words for a place among the parts of a piece, by the one that names of parts have."""
 
 
 def places_told(moves: KnownPart | None) -> set[str]:

@@ -100,6 +100,17 @@ ORDER_WORDS = frozenset(
 )
 """Single words that pick one thing from a row."""
 
+PLACES: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("top", "topmost", "upper"), "top"),
+        **dict.fromkeys(("middle", "central"), "middle"),
+        **dict.fromkeys(("bottom", "lowest", "lower"), "bottom"),
+        **dict.fromkeys(("left", "leftmost"), "left"),
+        **dict.fromkeys(("right", "rightmost"), "right"),
+    }
+)
+"""Words for a place in a row or a column, each by the plainest that means it."""
+
 SIZE_WORDS = frozenset(_SIZES)
 """Words that compare sizes."""
 
@@ -111,20 +122,20 @@ def ordered(ordinal: str, fitting: list[BelievedThing], noun: str) -> list[Belie
     side = "right" if words[-1:] == ["right"] else "left"
     if len(fitting) == 1 and (aside := wrong_side(ordinal, fitting[0])) is not None:
         raise NoneFitsError(f"no {noun} seen; the only one is on the {aside}", True)
-    if ordinal in ("leftmost", "left"):
+    if PLACES.get(ordinal) == "left":
         return least(fitting, lambda thing: -float(thing.place_m[1]))
-    if ordinal in ("rightmost", "right"):
+    if PLACES.get(ordinal) == "right":
         return least(fitting, lambda thing: float(thing.place_m[1]))
     if word in ("nearest", "closest", "nearer", "closer", "front"):
         return least(fitting, lambda thing: thing.distance_m)
     if word in ("farthest", "furthest", "farther", "further", "back", "rear"):
         return least(fitting, lambda thing: -thing.distance_m)
-    if word in ("topmost", "top", "upper"):
+    if PLACES.get(word) == "top":
         return least(fitting, lambda thing: -thing.top_m)
-    if word in ("lowest", "bottom", "lower"):
+    if PLACES.get(word) == "bottom":
         return least(fitting, lambda thing: thing.bottom_m)
     number = len(fitting) if word == "last" else _NUMBERS.get(word)
-    if word in ("middle", "central"):
+    if PLACES.get(word) == "middle":
         if len(fitting) % 2 == 0:
             raise UntellableError(f"which one is in the middle? there are {len(fitting)}", fitting)
         number = len(fitting) // 2 + 1
@@ -147,9 +158,9 @@ def _is_column(things: Sequence[BelievedThing]) -> bool:
 def wrong_side(ordinal: str, only: BelievedThing) -> str | None:
     """On which side the only thing is, where "the left one" is said and it stands clearly on the right."""
     y_m = float(only.place_m[1])
-    if ordinal in ("leftmost", "left") and y_m < -ASIDE_M:
+    if PLACES.get(ordinal) == "left" and y_m < -ASIDE_M:
         return "right"
-    return "left" if ordinal in ("rightmost", "right") and y_m > ASIDE_M else None
+    return "left" if PLACES.get(ordinal) == "right" and y_m > ASIDE_M else None
 
 
 def least(things: list[BelievedThing], key: Callable[[BelievedThing], float]) -> list[BelievedThing]:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain, zip_longest
 
-from py_trees.common import Status
-
 from kinematics.geometry import poses
 from kinematics.geometry.planar import PlanarPose
 from kinematics.geometry.shapes import Box
@@ -77,12 +75,6 @@ class ChooseStandAtHandle(ChooseStand):
         """Whether another place can be better: what has no model is moved from square before it, or not."""
         target: HandleTarget = self.get_input("handle")
         return self.toolbox.can_walk and target.moves is not None
-
-    def step(self) -> Status | Failure:
-        """Ask of one place after the other, where that may help."""
-        if not self.may_help:
-            return Failure.infeasible(f"the {self._target.part} is moved from before it, or not at all")
-        return super().step()
 
     def usual_again(self) -> PlanarPose | None:
         """None: a handle is seen again as it is."""

@@ -10,9 +10,9 @@ from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.furniture_called import is_said_of
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
-from trees.beliefs.grounding.part_words import PLACES, is_at, is_of, places_told, whole_in
+from trees.beliefs.grounding.part_words import is_at, is_of, places_told, whole_in
 from trees.beliefs.grounding.questions import which_is_meant
-from trees.beliefs.grounding.ranking import wrong_side
+from trees.beliefs.grounding.ranking import PLACES, wrong_side
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, SHUT, HandleTarget
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.failures import Failure
@@ -20,8 +20,8 @@ from trees.readings.odometry import what_is_around
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
 
-_NOT_ALONE = frozenset({"bottom", "lowest", "lower", "middle", "central", "last"})
-"""What nobody calls the only one."""
+_NOT_ALONE = ("bottom", "middle")
+"""Places that nobody says of the only one, as little as "the last"."""
 
 
 def meant_part(
@@ -164,7 +164,7 @@ def _told(
         aside = wrong_side(described.ordinal, among[0])
         if aside is not None:
             return Missing(f"only one {among[0].kind} seen, and it is on the {aside}")
-        if described.ordinal in _NOT_ALONE:
+        if described.ordinal == "last" or PLACES.get(described.ordinal) in _NOT_ALONE:
             return Missing(f"only one {among[0].kind} seen")
     return ground(described, around, among=among)
 

@@ -20,7 +20,7 @@ from trees.nodes.judgements import defect, judgement, tidying_helps
 from trees.nodes.retry import Retry
 from trees.policy import Gaze
 from trees.skills.doors.choose_handle import ChooseHandle
-from trees.skills.doors.come_to_handle import come_to_handle, stand_aside
+from trees.skills.doors.come_to_handle import come_to_handle, is_known_by_a_model, stand_aside
 from trees.skills.doors.detect_handle import DetectHandle
 from trees.skills.doors.find_handle import seen_from_elsewhere
 from trees.skills.doors.handle.approach_handle import ApproachHandle
@@ -208,7 +208,13 @@ def _recover(toolbox: Toolbox) -> Behaviour:
         BestEffort(StepBack("step back", toolbox)),
         BestEffort(sequence("leave", *going(toolbox))),
         BestEffort(_search("look again", toolbox)),
-        BestEffort(stand_aside(toolbox, lambda name: _search(name, toolbox))),
+        BestEffort(
+            Alternatives(
+                "stand elsewhere",
+                [stand_aside(toolbox, lambda name: _search(name, toolbox))],
+                worth_trying=is_known_by_a_model,
+            )
+        ),
     )
 
 

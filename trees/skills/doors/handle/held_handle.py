@@ -46,12 +46,15 @@ def hand_concessions(
 ) -> tuple[Concession, ...]:
     """What the hand may touch at a handle, asked of whoever judges the step."""
     gripper = toolbox.model.description.grippers[grasp.hand]
-    links = gripper.touch_links
     scene = without_drawn(toolbox.world.scene, target.part)
     fits = not target.pushed and gripper.palm_side_m is None
     near = beside_bar(target, scene) if fits else ()
-    parts = [name for name in (target.part, target.handle, *near) if name in scene.objects]
-    return touching(links, parts, ConcessionReason.HANDLE_IN_HAND, step)
+    parts = [name for name in (target.part, target.handle) if name in scene.objects]
+    held = ConcessionReason.HANDLE_IN_HAND
+    return (
+        *touching(gripper.touch_links, parts, held, step),
+        *touching(gripper.finger_links, near, held, step),
+    )
 
 
 def outwards(scene: PlanningScene, target: HandleTarget) -> NDArray[np.float64]:
