@@ -1,13 +1,16 @@
-"""Which furniture is meant by what somebody calls it."""
+"""Which furniture is meant by what somebody calls it, and which of its parts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from kinematics.scene.known_part import KnownPart
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
+from trees.beliefs.grounding.ranking import PLACES
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
 from trees.beliefs.scene.scene_update import kind_of
+from trees.tasks import ObjectDescription
 
 _EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living room table"})
 """What people call a table that nothing else is called by."""
@@ -68,3 +71,29 @@ def standing_on(said: str, around: Surroundings) -> Callable[[str], bool]:
     """Tells of what a thing stands on, by its name in the scene, whether that is where it is said to be."""
     meant = called_so(said, around.furniture_words)
     return lambda furniture: kind_of(furniture) in meant if meant else is_called(furniture, said)
+
+
+def places_told(moves: KnownPart | None) -> set[str]:
+    """The places that are in a part's name: "top" of "top drawer"."""
+    words = () if moves is None else moves.part.split()
+    return {PLACES[word] for word in words if word in PLACES}
+
+
+def is_at(place: str | None, moves: KnownPart | None) -> bool:
+    """Whether a part is where it is said to be among those of its piece, as far as a model tells that.
+
+    The top one of three is not the only one that is seen. What the model calls by no place may be any.
+    """
+    told = places_told(moves)
+    return not told or place not in PLACES or PLACES[place or ""] in told
+
+
+def is_of(whole: str | None, moves: KnownPart | None) -> bool:
+    """Whether a part is one of the piece that is named, "cabinet" of a wooden one; without a model any is."""
+    return whole is None or moves is None or is_said_of(whole, moves.of)
+
+
+def whole_in(described: ObjectDescription) -> str | None:
+    """What a part is said to be in: "cabinet" of "the top drawer of the cabinet"."""
+    relation = described.relation
+    return None if relation is None or relation.kind != "in" else str(relation.to)

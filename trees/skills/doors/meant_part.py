@@ -7,10 +7,9 @@ from dataclasses import replace
 
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.articles import with_article
-from trees.beliefs.grounding.furniture_called import is_said_of
+from trees.beliefs.grounding.furniture_called import is_at, is_of, is_said_of, places_told, whole_in
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
-from trees.beliefs.grounding.part_words import is_at, is_of, places_told, whole_in
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.ranking import PLACES, wrong_side
 from trees.beliefs.openings.handles import BODY_OF, MEANT_BY, SHUT, HandleTarget

@@ -12,7 +12,7 @@ from kinematics.requests.place import Spot
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.destination import Place, place_from, resolve
-from trees.beliefs.grounding.part_words import is_at, is_of, whole_in
+from trees.beliefs.grounding.furniture_called import is_at, is_of, whole_in
 from trees.beliefs.openings.drawer_inside import LEAST_OPEN_M, spots_in_drawer
 from trees.beliefs.openings.handles import opening_of
 from trees.beliefs.scene.held_object import HeldObject
