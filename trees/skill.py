@@ -83,7 +83,7 @@ def never(_task: Any) -> bool:
     return False
 
 
-def nothing(_task: Any, _labels: Collection[str] | None) -> str:
+def nothing(_task: Any, _fronts: Collection[str]) -> str:
     """Nothing speaks against it, whatever it says."""
     return ""
 
@@ -131,7 +131,7 @@ class Skill:
         strays: Whether a task leads the robot away to no place that anything is known of: what was at hand
             is not at hand afterwards either.
         refuses: Says what in a task's words nobody could do, whatever is seen; empty where there is nothing.
-            It is told the words that perception can tell, None for any.
+            It is told the doors and drawers that perception tells apart by their piece.
     """
 
     task: type[Any]
@@ -151,7 +151,7 @@ class Skill:
     lasts_s: Callable[[Any], float] = no_longer
     goes_away: bool = False
     strays: Callable[[Any], bool] = never
-    refuses: Callable[[Any, Collection[str] | None], str] = nothing
+    refuses: Callable[[Any, Collection[str]], str] = nothing
 
     @property
     def action(self) -> str:

@@ -44,7 +44,7 @@ class Requests:
         """
         text = request if isinstance(request, str) else json.dumps(request)
         toolbox = self._session.toolbox
-        with words_of_the_place(toolbox.detector.labels, toolbox.people):
+        with words_of_the_place(toolbox.detector.labels, toolbox.people, toolbox.detector.fronts):
             statement = Statement.of(self._conversation.understand(text, trust))
         self._last = Ticket(self._session, statement, self._last, on_question, timeout_s)
         return self._last

@@ -60,7 +60,7 @@ def beyond(commands: Sequence[Command], toolbox: Toolbox) -> Impossible | None:
         commands: What was said.
         toolbox: Knows the robot, and the rooms on the map.
     """
-    found = impossible(commands, toolbox.places, toolbox.detector.labels)
+    found = impossible(commands, toolbox.places, toolbox.detector.labels, toolbox.detector.fronts)
     return _lacks_for(commands, toolbox) if found is None else found
 
 
@@ -92,7 +92,10 @@ def no_such_hand(command: Command, robot: RobotDescription) -> Impossible | None
 
 
 def impossible(
-    commands: Sequence[Command], rooms: Collection[str], labels: Collection[str] | None = None
+    commands: Sequence[Command],
+    rooms: Collection[str],
+    labels: Collection[str] | None = None,
+    fronts: Collection[str] = (),
 ) -> Impossible | None:
     """The first command that cannot be done here, whatever is seen; None without one.
 
@@ -100,6 +103,7 @@ def impossible(
         commands: What was said.
         rooms: Names of the rooms on the map.
         labels: The words that perception can tell; None: any. None at all where the body brings no eyes.
+        fronts: The doors and drawers that it tells apart by the piece that they are of.
     """
     missing = missing_room(commands, rooms)
     if missing is not None:
@@ -117,13 +121,13 @@ def impossible(
             return Impossible(command, f"the robot has no eyes here to find {with_article(word)} by", word)
         known = f"I do not know what {with_article(word)} looks like; I can find"
         return Impossible(command, f"{known} {what_can_be_found(word, labels)}", word)
-    return next(filter(None, (_refused(command, labels) for command in commands)), None)
+    return next(filter(None, (_refused(command, fronts) for command in commands)), None)
 
 
-def _refused(command: Command, labels: Collection[str] | None) -> Impossible | None:
+def _refused(command: Command, fronts: Collection[str]) -> Impossible | None:
     """What its skill says that nobody could do."""
     skill = skill_of(command)
-    told = "" if skill is None else skill.refuses(command, labels)
+    told = "" if skill is None else skill.refuses(command, fronts)
     return Impossible(command, told, command.action) if told else None
 
 

@@ -35,6 +35,11 @@ class CanonicalDetector:
         labels = self._detector.labels
         return None if labels is None else labels | {self._canonical(word) for word in labels}
 
+    @property
+    def fronts(self) -> frozenset[str]:
+        """The doors and drawers that it tells apart by the piece that they are of."""
+        return self._detector.fronts
+
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
         frame = self._detector.latest()

@@ -19,9 +19,11 @@ def spoken_in(scene: str | None) -> Iterator[None]:
         SceneError: There is no such scene.
     """
     # whoever only parses needs no scene
+    from robots.perception.told_labels import told_fronts
     from robots.scenes.scene_description import names_of_people, spoken_words
     from robots.scenes.scene_file import load_scene
 
     place = None if scene is None else load_scene(scene)
-    with words_of_the_place(*((), ()) if place is None else (spoken_words(place), names_of_people(place))):
+    known = [words(place) for words in (spoken_words, names_of_people, told_fronts)] if place else [()]
+    with words_of_the_place(*known):
         yield

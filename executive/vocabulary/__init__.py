@@ -32,12 +32,13 @@ class PlaceWords(NamedTuple):
     """What is known of a place by its words.
 
     Attributes:
-        things: Kinds, names and sorts of its things, in lower case, sorted.
+        things, opening: Kinds, names and sorts of its things, in lower case, sorted; those that open.
         people: Names of its people as they are written, sorted.
     """
 
     things: tuple[str, ...] = ()
     people: tuple[str, ...] = ()
+    opening: frozenset[str] = frozenset()
 
 
 NOWHERE = PlaceWords()

@@ -19,7 +19,7 @@ def of_place(vocabulary: Vocabulary, place: PlaceWords) -> Vocabulary:
         vocabulary: What is known everywhere.
         place: The words of the place.
     """
-    known = with_things(vocabulary, place.things) if place.things else vocabulary
+    known = with_things(vocabulary, place.things, place.opening) if place.things else vocabulary
     return with_names(known, place.people) if place.people else known
 
 

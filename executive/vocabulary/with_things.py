@@ -13,11 +13,15 @@ _FURNITURE = ("FURNITURE", "FURNITURES", "CONTAINER", "CONTAINERS")
 """What one piece is called, and several, also where it has an inside."""
 _THINGS = ("KIND", "KINDS", "SUBSTANCE", "PAIR", "DOOR", *_FURNITURE)
 """Word classes of things: what one is called, what several are called, and those with ways of their own."""
+_OPENS = ("CONTAINER", "CONTAINERS")
+"""The same of what can be opened."""
 _SEVERAL = {"FURNITURE": "FURNITURES", "CONTAINER": "CONTAINERS", "KIND": "KINDS"}
 """The class of what several are called, by that of one."""
 
 
-def with_things(vocabulary: Vocabulary, words: Sequence[str]) -> Vocabulary:
+def with_things(
+    vocabulary: Vocabulary, words: Sequence[str], opening: AbstractSet[str] = frozenset()
+) -> Vocabulary:
     """A vocabulary with further words for kinds of things.
 
     A word that is refused here is one of them from now on; one that is known as a thing stays what it is.
@@ -29,22 +33,25 @@ def with_things(vocabulary: Vocabulary, words: Sequence[str]) -> Vocabulary:
     Args:
         vocabulary: What is known everywhere.
         words: Noun phrases in lower case, each as one thing is called.
+        opening: Those of the words that mean what can be opened, whatever they mean elsewhere.
     """
     added: dict[str, list[str]] = {}
     instead: set[str] = set()
     called: dict[str, str] = {}
     for word in words:
         length, readings = vocabulary.match(word.split())
+        classes = _OPENS if word in opening else _THINGS
         known = length == len(word.split()) and any(
-            one.word_class in _THINGS and vocabulary.refusal(one, word) is None for one in readings
+            one.word_class in classes and vocabulary.refusal(one, word) is None for one in readings
         )
         if length == len(word.split()):
             called |= {one.meaning: word for one in readings if _is_otherwise_called(one, word)}
         if not known:
             many = word if word.endswith("s") and not word.endswith("ss") else plural(word)
-            for phrase, word_class in ((word, _THINGS[0]), (many, _THINGS[1])):
+            instead.update((word, many) if word in opening else ())
+            for phrase, word_class in zip((word, many), classes, strict=False):
                 added.setdefault(phrase.partition(" ")[0], []).append(line(phrase, word_class, word))
-    for phrase, word_class, meaning in _said_of(vocabulary, words):
+    for phrase, word_class, meaning in _said_of(vocabulary, words, opening | set(map(head_of, opening))):
         added.setdefault(phrase.partition(" ")[0], []).append(line(phrase, word_class, meaning))
         instead.add(phrase)
     firsts = {*added, *_first_words_of(vocabulary, called)}
@@ -53,7 +60,9 @@ def with_things(vocabulary: Vocabulary, words: Sequence[str]) -> Vocabulary:
     return vocabulary.with_beginnings(beginnings, whole)
 
 
-def _said_of(vocabulary: Vocabulary, labels: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+def _said_of(
+    vocabulary: Vocabulary, labels: Sequence[str], opening: AbstractSet[str | None]
+) -> Iterator[tuple[str, str, str]]:
     """How else the things of a place are called there: phrase, word class and meaning."""
     colors = {phrase for phrases in vocabulary.classes["COLOR"].words.values() for phrase in phrases}
     taken = set(labels)
@@ -61,7 +70,7 @@ def _said_of(vocabulary: Vocabulary, labels: Sequence[str]) -> Iterator[tuple[st
         for phrase in label_phrases(label, colors):
             if phrase not in taken:
                 taken.add(phrase)
-                yield phrase, _THINGS[0], label
+                yield phrase, (_OPENS if label in opening else _THINGS)[0], label
     kinds = {head_of(label) or label for label in labels}
     for head in sorted(filter(None, map(head_of, labels))):
         _, readings = vocabulary.match([head])
@@ -69,7 +78,7 @@ def _said_of(vocabulary: Vocabulary, labels: Sequence[str]) -> Iterator[tuple[st
         if head in taken or head in colors or (known and not _is_furniture_else(known, head, kinds)):
             continue
         taken.add(head)
-        word_class = known[0].word_class if known else _THINGS[0]
+        word_class = known[0].word_class if known else (_OPENS if head in opening else _THINGS)[0]
         yield head, word_class, head
         if word_class in _SEVERAL and plural(head) not in taken:
             yield plural(head), _SEVERAL[word_class], head

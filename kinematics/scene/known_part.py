@@ -23,6 +23,7 @@ class KnownPart(Sealed):
         part: Which of the parts that open it is: "top drawer".
         side: +1 of a door that hangs on the left, seen by who opens it; -1 on the right; 0 of a drawer.
         hinge_m: Where a hinge's axis goes through the front, in its own x and y; (0, 0) of a drawer.
+        names: What people call besides what it is part of: "sideboard".
     """
 
     shut: Transform
@@ -31,6 +32,7 @@ class KnownPart(Sealed):
     part: str
     side: float = 0.0
     hinge_m: tuple[float, float] = (0.0, 0.0)
+    names: tuple[str, ...] = ()
 
     def is_of(self, other: KnownPart) -> bool:
         """Whether both are solids of one door or drawer; of two pieces of one model it may be either's."""

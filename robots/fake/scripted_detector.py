@@ -51,9 +51,11 @@ class ScriptedDetector:
         confidence: Names of things that are seen otherwise than surely, and how surely.
         error: That it declares of all it tells; None: none.
         labels: The words that it can tell; None: any.
+        fronts: The doors and drawers that it tells apart by their piece.
     """
 
     labels: frozenset[str] | None = None
+    fronts: frozenset[str] = frozenset()
 
     def __init__(
         self, world: ScriptedWorld, camera: CameraDescription, clock: Clock, rate_hz: float = 50.0

@@ -31,8 +31,8 @@ class Detection(Sealed):
         confidence: In [0, 1].
         name: Of a person who was recognised, or of furniture that has one of its own ("side table"); None
             else.
-        names: What an object is called besides, the usual name first: "tomato soup".
-        categories: What sorts of things an object belongs to: "food".
+        names: What an object or a piece of furniture is called besides, the usual name first: "tomato soup".
+        categories: What sorts of things it belongs to: "food".
         traits: What is seen of a person, as far as it can be told: "sitting", "waving", "red shirt".
         error: Of place and size, in the camera's frame; None when the detector declares none.
         alike: Kinds and names that the thing may have as well, as far as can be seen.
@@ -88,6 +88,11 @@ class Detector(Protocol):
     @property
     def labels(self) -> frozenset[str] | None:
         """The words that it can tell: kinds, names and categories. None: any word, it is open."""
+        ...
+
+    @property
+    def fronts(self) -> frozenset[str]:
+        """The doors and drawers that it tells apart by the piece that they are of: "microwave door"."""
         ...
 
     def latest(self) -> PerceptionFrame | None:

@@ -13,6 +13,11 @@ class NoEyes:
         """None is ever told."""
         return frozenset()
 
+    @property
+    def fronts(self) -> frozenset[str]:
+        """None either."""
+        return frozenset()
+
     def latest(self) -> PerceptionFrame | None:
         """There is none."""
         return None

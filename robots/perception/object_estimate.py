@@ -50,7 +50,7 @@ class ObjectEstimate(Sealed):
         spread_m: Root mean square distance of all its detections from the estimate. White noise gives
             about 1.7 times its deviation; more says that something moved, or was merged with a neighbour.
         name: Of a person who was recognised, or of furniture that has one of its own; None else.
-        names, categories: Of an object, as in ``Detection``.
+        names, categories: As in ``Detection``.
         traits: Of a person: those that at least half of the frames tell.
         error: Of place and size, in the odometry frame; None when the detector declares none.
         alike: What else an object may be called, as far as at least half of the frames tell.

@@ -36,9 +36,9 @@ from robots.perception.detector import Detection, PerceptionFrame
 from robots.perception.position_error import alike_in_all_directions
 from robots.perception.sight import Sight
 from robots.perception.stub_faults import StubFaults
-from robots.perception.told_labels import front_label, told_labels
+from robots.perception.told_labels import told_labels
 from robots.perception.truth_view import TrueObject, TruthView
-from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
+from robots.scenes.articulated import PART_KINDS
 from robots.scenes.fixture import CONTROL_KINDS
 from robots.scenes.scene_description import PerceptionModel
 
@@ -74,6 +74,7 @@ class PerceptionStub:
     and generator tell the same.
 
     Attributes:
+        fronts: The doors and drawers that it tells apart by the piece that they are of.
         faults: Further errors, to be injected by tests and evaluations.
         cameras: Others, which stand in the room; they go on with this one.
         silences: None: nobody else is asked what things are called.
@@ -86,7 +87,9 @@ class PerceptionStub:
         model: PerceptionModel,
         clock: Clock,
         rng: np.random.Generator,
+        fronts: frozenset[str] = frozenset(),
     ) -> None:
+        self.fronts = fronts
         self.faults = StubFaults()
         self.cameras: tuple[PerceptionStub, ...] = ()
         self.silences: tuple[str, ...] = ()
@@ -303,8 +306,6 @@ def _called(truth: TruthView) -> Iterable[str]:
     """What the things of a world are called."""
     for solid in truth.solids():
         yield from (solid.kind, *solid.names, *solid.categories)
-        if solid.moves is not None and solid.kind in (DOOR, DRAWER):
-            yield front_label(solid.moves.of, solid.kind)
         if solid.category == "furniture" and solid.told_name is not None:
             yield solid.told_name
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 
-from robots.scenes.articulated import PART_KINDS
+from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import FIXTURE, own_name
 from robots.scenes.moving_parts import moving_parts
@@ -12,9 +12,23 @@ from robots.scenes.scene_description import SceneDescription, spoken_words
 from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
 
-def front_label(of: str, kind: str) -> str:
-    """What the door or drawer of a piece is called that is recognised by its model: "microwave door"."""
-    return f"{of} {kind}"
+def fronts_of(called: Iterable[str], kinds: Collection[str]) -> Iterator[str]:
+    """What the doors and drawers of a piece are called by the piece: "microwave door".
+
+    Args:
+        called: What the piece is called.
+        kinds: Of its parts; what is neither a door nor a drawer has no such name.
+    """
+    return (f"{word} {kind}" for word in called for kind in kinds if kind in (DOOR, DRAWER))
+
+
+def told_fronts(scene: SceneDescription) -> frozenset[str]:
+    """The doors and drawers of a scene that are told apart by the piece that they are of."""
+    told: set[str] = set()
+    for piece in scene.furniture:
+        called = (own_name(piece.name, piece.kind) or piece.kind, *piece.names)
+        told.update(fronts_of(called, {solid.kind for part in moving_parts(piece) for solid in part.solids}))
+    return frozenset(word.casefold() for word in told)
 
 
 def told_labels(called: Iterable[str], declared: Iterable[str]) -> frozenset[str] | None:
@@ -40,11 +54,6 @@ def labels_in(scene: SceneDescription) -> frozenset[str] | None:
     people = ["person"] if scene.people else []
     parts: list[str] = [
         solid.kind for piece in scene.furniture for part in moving_parts(piece) for solid in part.solids
-    ]
-    parts += [
-        front_label(own_name(piece.name, piece.kind) or piece.kind, opening.kind)
-        for piece in scene.furniture
-        for opening in piece.openings
     ]
     parts += [control.kind for piece in scene.furniture for control in piece.controls]
     called = [*spoken_words(scene), *people, *filter(None, parts)]

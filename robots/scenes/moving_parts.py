@@ -64,14 +64,16 @@ class Moving(Sealed):
         moved = self.opened(self.part.opening)
         return np.asarray(world_T_furniture @ self.furniture_T_part @ moved @ solid.part_T_solid)
 
-    def known_part(self, world_T_furniture: Transform, solid: MovingSolid, of: str) -> KnownPart | None:
+    def known_part(
+        self, world_T_furniture: Transform, solid: MovingSolid, of: str, names: tuple[str, ...] = ()
+    ) -> KnownPart | None:
         """What a detector tells with one of its solids; None of what it has no model of."""
         if not self.recognised:
             return None
         x, y = (float(value) for value in poses.inverse(solid.part_T_solid)[:2, 3])
         shut = np.asarray(world_T_furniture @ self.furniture_T_part @ solid.part_T_solid)
         hinge_m = (x, y) if self.side else (0.0, 0.0)
-        return KnownPart(shut, self.travel, of, self.name.rpartition("/")[2], self.side, hinge_m)
+        return KnownPart(shut, self.travel, of, self.name.rpartition("/")[2], self.side, hinge_m, names)
 
 
 def moving_parts(item: Furniture) -> tuple[Moving, ...]:

@@ -118,7 +118,8 @@ class Furniture:
     ``position_m`` is its centre on the floor; ``opens`` is its door or drawer, if it has one. Of a fixture
     (see ``robots.scenes.fixture``) ``foot_m`` is the height of its underside, ``boxes`` what it is made of
     where that is not one box, ``controls`` are its knobs and buttons, and ``openings`` its doors and drawers.
-    ``regions`` are parts with names.
+    ``regions`` are parts with names. ``names`` and ``categories`` are what people call it besides its kind
+    and its name, and what it belongs to.
     """
 
     name: str
@@ -133,6 +134,8 @@ class Furniture:
     controls: tuple[Control, ...] = ()
     openings: tuple[Opening, ...] = ()
     regions: tuple[NamedRegion, ...] = ()
+    names: tuple[str, ...] = ()
+    categories: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,9 +277,10 @@ def spoken_words(scene: SceneDescription) -> frozenset[str]:
     words = {word for word in scene.perception.labels if word.casefold() != ANY_LABEL}
     for item in scene.objects:
         words |= {item.kind, *told_names(item.name, item.kind, item.names), *item.categories}
-    own = (own_name(piece.name, piece.kind) for piece in scene.furniture)
-    parts = (region.name for piece in scene.furniture for region in piece.regions)
-    return frozenset({*words, *filter(None, own), *parts})
+    for piece in scene.furniture:
+        words |= {*filter(None, [own_name(piece.name, piece.kind)]), *piece.names, *piece.categories}
+        words |= {region.name for region in piece.regions}
+    return frozenset(words)
 
 
 def names_of_people(scene: SceneDescription) -> frozenset[str]:

@@ -44,6 +44,8 @@ class _PieceTable(StrictTable):
 
     name: Text
     kind: str
+    names: Texts = ()
+    categories: Texts = ()
     size_m: Triple
     position_m: Pair
     yaw_rad: FiniteFloat = 0.0
@@ -61,6 +63,8 @@ class _PieceTable(StrictTable):
             friction=self.friction,
             opens=self.part(),
             regions=tuple(self.region),
+            names=self.names,
+            categories=self.categories,
         )
 
     def part(self) -> MovingPart | None:

@@ -184,6 +184,7 @@ def _check_furniture(piece: Furniture, source: str, key: str) -> None:
     told = kind_that_name_contradicts(piece.name, piece.kind)
     reason = f"{piece.name!r} is a name for the kind {told!r}, but the kind is {piece.kind!r}"
     _require(told is None, source, f"{key}.name", reason)
+    _check_words(source, key, names=piece.names, categories=piece.categories)
     smallest = _SMALLEST_M.get(piece.kind, _SMALLEST_TABLE_M)
     for axis, value, least in zip(("depth", "width", "height"), piece.size_m, smallest, strict=True):
         ok = math.isfinite(value) and value >= least
@@ -207,10 +208,7 @@ def _check_friction(value: float, name: str, source: str, key: str) -> None:
 
 
 def _check_item(item: SceneItem, source: str, key: str) -> None:
-    for slot, words in (("kind", (item.kind,)), ("names", item.names), ("categories", item.categories)):
-        long = next((word for word in words if not 0 < len(word) <= LONGEST_LABEL), None)
-        reason = f"must have from 1 to {LONGEST_LABEL} letters, not {len(long or '')}"
-        _require(long is None, source, f"{key}.{slot}", reason)
+    _check_words(source, key, kind=(item.kind,), names=item.names, categories=item.categories)
     if item.color is not None and item.color not in COLORS:
         near = nearest_word(item.color, COLORS)
         raise SceneError(source, f"{key}.color", f"unknown colour {item.color!r}; the nearest is {near!r}")
@@ -229,6 +227,13 @@ def _check_item(item: SceneItem, source: str, key: str) -> None:
     _check_friction(item.friction, item.name, source, key)
     finite = bool(np.all(np.isfinite(item.world_T_object)))
     _require(finite, source, f"{key}.position_m", f"{item.name!r}: must be finite")
+
+
+def _check_words(source: str, key: str, **slots: tuple[str, ...]) -> None:
+    for slot, words in slots.items():
+        long = next((word for word in words if not 0 < len(word) <= LONGEST_LABEL), None)
+        reason = f"must have from 1 to {LONGEST_LABEL} letters, not {len(long or '')}"
+        _require(long is None, source, f"{key}.{slot}", reason)
 
 
 def _sizes(shape: Shape) -> Iterator[tuple[str, float]]:

@@ -13,7 +13,7 @@ from robots.scenes.fixed_camera import FixedCamera
 from robots.scenes.fixture import Control
 from robots.scenes.light import Light
 from robots.scenes.opening import Opening
-from robots.scenes.scene_description import Furniture, Person, SceneDescription
+from robots.scenes.scene_description import Furniture, Person, SceneDescription, SceneItem
 
 _OF_EVERY_PART = (
     "mass_kg",
@@ -44,6 +44,7 @@ def dump(scene: SceneDescription) -> str:
             lines += ["[[light.change]]", *_pairs(at_s=change.at_s, kind=change.kind)]
     for piece in scene.furniture:
         lines += ["", "[[furniture]]", *_pairs(name=piece.name, kind=piece.kind, size_m=piece.size_m)]
+        lines += _called(piece)
         lines += _pairs(position_m=piece.position_m, yaw_rad=piece.yaw_rad, friction=piece.friction)
         lines += _pairs(**_part_values(piece))
         if piece.foot_m != 0.0:
@@ -73,9 +74,8 @@ def dump(scene: SceneDescription) -> str:
         if item.world_T_object[2, 2] < 1.0 - 1e-12:
             raise ValueError(f"{item.name!r} is tilted; a scene file holds upright objects only")
         color = {} if item.color is None else {"color": item.color}
-        called = {"names": item.names, "categories": item.categories}
         lines += ["", "[[object]]", *_pairs(name=item.name, kind=item.kind, **color)]
-        lines += _pairs(**{key: words for key, words in called.items() if words})
+        lines += _called(item)
         shape = _shape_keys(item.shape) if item.mesh is None else {"mesh": item.mesh}
         lines += _pairs(**shape, mass_kg=item.mass_kg, friction=item.friction)
         if item.wall_m is not None:
@@ -85,6 +85,12 @@ def dump(scene: SceneDescription) -> str:
         yaw = poses.yaw_of(item.world_T_object[:3, :3])
         lines += _pairs(position_m=tuple(map(float, item.world_T_object[:3, 3])), yaw_rad=yaw)
     return "\n".join(lines) + "\n"
+
+
+def _called(thing: SceneItem | Furniture) -> list[str]:
+    """What it is called besides its own name and its kind."""
+    called = {"names": thing.names, "categories": thing.categories}
+    return _pairs(**{key: words for key, words in called.items() if words})
 
 
 def _camera_lines(camera: FixedCamera) -> list[str]:

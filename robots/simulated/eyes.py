@@ -18,6 +18,7 @@ from robots.perception.fusion.cameras import PlacedCamera, calibrated_places
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.stub import PerceptionStub
 from robots.perception.stub_faults import StubFaults
+from robots.perception.told_labels import told_fronts
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.truth.seen_from import SeenFrom
 from robots.simulated.world import SimulatedWorld
@@ -115,7 +116,8 @@ def _stub(
     rng: np.random.Generator,
 ) -> PerceptionStub:
     """The stub for the robot's own camera, and one for each that stands in the room."""
-    own = PerceptionStub(world.truth, robot.description.camera, scene.perception, clock, rng)
+    fronts = told_fronts(scene)
+    own = PerceptionStub(world.truth, robot.description.camera, scene.perception, clock, rng, fronts)
     own.cameras = tuple(
         PerceptionStub(
             SeenFrom(world.truth, camera.world_T_camera),
@@ -128,6 +130,7 @@ def _stub(
             replace(scene.perception, rate_hz=camera.rate_hz, latency_s=camera.latency_s),
             clock,
             chance,
+            fronts,
         )
         for camera, chance in zip(scene.cameras, rng.spawn(len(scene.cameras)), strict=True)
     )

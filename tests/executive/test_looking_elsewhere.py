@@ -33,7 +33,7 @@ class Notes:
             places=(),
             grippers={"right": None},
             model=BODY,
-            detector=SimpleNamespace(labels=None),
+            detector=SimpleNamespace(labels=None, fronts=frozenset()),
         )
         self.told, self.went_to, self.failures = [], [], list(failures)
 

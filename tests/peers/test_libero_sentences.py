@@ -20,6 +20,8 @@ from tools.benchmark.peers.environments import PeerEnvironment, default_cache
 PROGRAM = Path(__file__).parent / "programs" / "libero_sentences.py"
 LEAST_RIGHT, LEAST_REPHRASED = 0.95, 0.80
 GOAL = re.compile(r"\((On|In|Open|Close|Turnon|Turnoff) ([^()]+)\)")
+FRONTS = (("cabinet", "drawer"), ("microwave", "door"))
+"""What of its furniture an import finds to open."""
 PLACING = ("place", "put_in")
 
 
@@ -111,7 +113,8 @@ def _judge(said, rephrased):
     for (sentence, anew), (words, goals) in said.items():
         if anew != rephrased:
             continue
-        with words_of_the_place(words):
+        fronts = {f"{word} {part}" for word in words for of, part in FRONTS if of in word}
+        with words_of_the_place(words, fronts=fronts):
             parsed = understand(sentence).parsed.to_json()
             if parsed["outcome"] != "tasks":
                 refused.append((sentence, parsed["question"] or parsed["refusal"]))

@@ -23,6 +23,7 @@ from robots.fake.fake_world import FakeWorld
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
 from robots.perception.stub import PerceptionStub
+from robots.perception.told_labels import told_fronts
 from robots.scenes.scene_description import SceneDescription
 from robots.seeded import Seeded
 from robots.simulated.world import SimulatedWorld, build_world
@@ -69,7 +70,9 @@ class QuickRobot:
         fake.motion = QuickMotion(model, fake.clock)
         self._fake = fake
         camera = model.description.camera
-        self._eyes = PerceptionStub(self.world.truth, camera, scene.perception, fake.clock, chance.perception)
+        self._eyes = PerceptionStub(
+            self.world.truth, camera, scene.perception, fake.clock, chance.perception, told_fronts(scene)
+        )
         self.toolbox = Toolbox(
             clock=fake.clock,
             model=model,

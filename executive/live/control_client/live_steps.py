@@ -57,6 +57,11 @@ class DetectorClient:
         told = self._link.about["labels"]
         return None if told is None else frozenset(map(str, told))
 
+    @property
+    def fronts(self) -> frozenset[str]:
+        """The doors and drawers that it tells apart by the piece that they are of, as it was said then."""
+        return frozenset(map(str, self._link.about["fronts"]))
+
     def latest(self) -> PerceptionFrame | None:
         """The newest frame that has been delivered, or None before the first."""
         self._asked_s = self._link.now_s

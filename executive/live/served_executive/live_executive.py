@@ -164,7 +164,8 @@ class LiveExecutive:
                 continue
             try:
                 toolbox = self._session.toolbox
-                with words_of_the_place(toolbox.detector.labels or (), toolbox.people):
+                told = toolbox.detector
+                with words_of_the_place(told.labels or (), toolbox.people, told.fronts):
                     self._carry_out(order)
             finally:
                 self._desk.finish()

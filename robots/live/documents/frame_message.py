@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from kinematics.arrays import Array
+from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Ball, Box, Cylinder, Shape
+from kinematics.scene.known_part import KnownPart
 from robots.live.wire.errors import ProtocolError
 from robots.live.wire.messages import write_message
 from robots.perception.detector import Detection, PerceptionFrame
@@ -37,6 +39,7 @@ def write_frame(frame: PerceptionFrame, source: str = HEAD) -> bytes:
             "alike": item.alike,
             "picture": None if item.picture is None else base64.b64encode(item.picture).decode("ascii"),
             "cut": item.cut,
+            "moves": _moves_json(item.moves),
         }
         for item in frame.detections
     ]
@@ -64,7 +67,7 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 category=item["category"],
                 kind=str(item["kind"]),
                 color=item["color"],
-                camera_T_object=np.array(item["camera_T_object"], dtype=np.float64).reshape(4, 4),
+                camera_T_object=_pose(item["camera_T_object"]),
                 shape=_shape(item["shape"]),
                 confidence=float(item["confidence"]),
                 name=item["name"],
@@ -75,6 +78,7 @@ def read_frame(document: Mapping[str, Any]) -> PerceptionFrame:
                 alike=tuple(map(str, item["alike"])),
                 picture=None if item["picture"] is None else base64.b64decode(item["picture"]),
                 cut=bool(item["cut"]),
+                moves=_moves(item["moves"]),
             )
             for item in document["detections"]
         )
@@ -108,6 +112,39 @@ def _error(values: Any) -> PositionError | None:
 
 def _square(numbers: Any) -> Array:
     return np.array(numbers, dtype=np.float64).reshape(3, 3)
+
+
+def _moves_json(moves: KnownPart | None) -> dict[str, Any] | None:
+    if moves is None:
+        return None
+    return {
+        "shut": moves.shut.ravel().tolist(),
+        "travel": moves.travel,
+        "of": moves.of,
+        "part": moves.part,
+        "side": moves.side,
+        "hinge_m": moves.hinge_m,
+        "names": moves.names,
+    }
+
+
+def _moves(values: Any) -> KnownPart | None:
+    if values is None:
+        return None
+    x, y = values["hinge_m"]
+    return KnownPart(
+        shut=_pose(values["shut"]),
+        travel=float(values["travel"]),
+        of=str(values["of"]),
+        part=str(values["part"]),
+        side=float(values["side"]),
+        hinge_m=(float(x), float(y)),
+        names=tuple(map(str, values["names"])),
+    )
+
+
+def _pose(numbers: Any) -> Transform:
+    return np.array(numbers, dtype=np.float64).reshape(4, 4)
 
 
 def _shape_json(shape: Shape) -> list[Any]:

@@ -133,6 +133,7 @@ class ControlProcess:
             "scene": options.scene,
             "perception": self._site.kind,
             "labels": None if sight.detector.labels is None else sorted(sight.detector.labels),
+            "fronts": sorted(sight.detector.fronts),
             "seed": options.seed,
             "period_s": PERIOD_S,
             "state_every_s": PUBLISH_EVERY * PERIOD_S,

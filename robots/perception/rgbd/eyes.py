@@ -134,13 +134,15 @@ class Eyes:
         # walls go on beyond the picture: where the map has them they are
         self._walls = [solid for piece in known if piece.kind == WALL for solid in on_map(piece)]
         self._cabinets = Cabinets(known)
+        called = (word for piece in known for word in (*piece.names, *piece.categories))
+        self._called = frozenset(word.casefold() for word in called)
         able = () if labeller is None or labeller.words is None else sorted(labeller.words)
         self._words = tuple(able if words is None else words)
 
     @property
     def labels(self) -> frozenset[str] | None:
         """The words that it can tell; None: any."""
-        own = kinds() | ({*FURNITURE_KINDS, *PART_KINDS, "person"} - {FIXTURE})
+        own = kinds() | self._called | ({*FURNITURE_KINDS, *PART_KINDS, "person"} - {FIXTURE})
         if self._labeller is None:
             return own
         return None if self._labeller.words is None else own | self._labeller.words
@@ -305,6 +307,8 @@ def as_frame(seen: Seen, picture: Picture, sequence: int) -> PerceptionFrame:
             shape=piece.shape,
             confidence=piece.confidence,
             name=piece.name,
+            names=piece.names,
+            categories=piece.categories,
             error=errors.of_furniture(piece),
         )
         for piece in seen.furniture

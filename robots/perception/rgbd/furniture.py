@@ -14,12 +14,11 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.perception.rgbd.cloud import Cloud
 from robots.perception.rgbd.openings.find import SeenCabinet
-from robots.perception.rgbd.piece import Piece
+from robots.perception.rgbd.piece import Piece, pieces_of
 from robots.perception.rgbd.surfaces import Surface
 from robots.perception.surface import surface_points
 from robots.scenes import furniture
 from robots.scenes.furniture import TABLE_TOP_M, board_tops_m
-from robots.scenes.furniture_names import own_name
 from robots.scenes.scene_description import Furniture
 
 MAP_M = 0.06
@@ -59,7 +58,9 @@ def find_furniture(
         if matches:
             explained.update(matches)
             aligned, edges = _aligned(cloud, piece, [surfaces[i] for i in matches])
-            found += _solids(aligned, 0.97 if edges else 0.85, frozenset() if edges else frozenset({"edges"}))
+            found += pieces_of(
+                aligned, 0.97 if edges else 0.85, frozenset() if edges else frozenset({"edges"})
+            )
         elif piece.kind != "table" and _seen(cloud, piece):
             found += on_map(piece)
     for i, surface in enumerate(surfaces):
@@ -78,7 +79,7 @@ def _could_be(piece: Furniture, surface: Surface) -> bool:
 
 def on_map(piece: Furniture) -> list[Piece]:
     """The solids of a piece where the map has it."""
-    return _solids(piece, 0.85, frozenset({"place"}))
+    return pieces_of(piece, 0.85, frozenset({"place"}))
 
 
 def _is_of(cabinet: SeenCabinet, surface: Surface) -> bool:
@@ -90,14 +91,6 @@ def _is_of(cabinet: SeenCabinet, surface: Surface) -> bool:
 def _local(piece: Furniture, places: Array) -> Array:
     c, s = math.cos(piece.yaw_rad), math.sin(piece.yaw_rad)
     return np.asarray((places - np.array(piece.position_m)) @ np.array([[c, -s], [s, c]]))
-
-
-def _solids(piece: Furniture, confidence: float, assumed: frozenset[str]) -> list[Piece]:
-    told = own_name(piece.name, piece.kind)
-    return [
-        Piece(piece.kind, told, solid.shape, solid.world_T_solid, confidence, assumed)
-        for solid in furniture.solids(piece)
-    ]
 
 
 def _aligned(cloud: Cloud, piece: Furniture, surfaces: Sequence[Surface]) -> tuple[Furniture, bool]:

@@ -39,6 +39,8 @@ def _believed(piece: Furniture, odom_T_world: PlanarPose, rng: np.random.Generat
         yaw_rad=pose.yaw_rad + turn,
         friction=piece.friction,
         opens=None if piece.opens is None else _known_of(piece.opens),
+        names=piece.names,
+        categories=piece.categories,
     )
 
 

@@ -25,6 +25,7 @@ from robots.perception.detector import PerceptionFrame
 from robots.perception.fusion.cameras import calibrated_places
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.rgbd.furniture_map import furniture_map
+from robots.perception.told_labels import told_fronts
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.physics import Physics
 from robots.simulated.camera.feed import Believed, CameraFaults, CameraFeed
@@ -93,9 +94,9 @@ class CameraPerception:
         )
         self._under_way: deque[tuple[CameraFeed, Shot]] = deque()
         self._pipe = _start(self)
-        labels = self._ask(setup)
+        labels, fronts = self._ask(setup), told_fronts(scene)
         for feed in self._feeds:
-            feed.labels = labels
+            feed.labels, feed.fronts = labels, fronts
 
     @property
     def _feeds(self) -> tuple[CameraFeed, ...]:
@@ -105,6 +106,11 @@ class CameraPerception:
     def labels(self) -> frozenset[str] | None:
         """The words that it can tell; None: any."""
         return self._own.labels
+
+    @property
+    def fronts(self) -> frozenset[str]:
+        """The doors and drawers that the map tells apart by the piece that they are of."""
+        return self._own.fronts
 
     @property
     def faults(self) -> CameraFaults:

@@ -64,6 +64,7 @@ class CameraFeed:
 
     Attributes:
         labels: The words that it can tell; None: any.
+        fronts: The doors and drawers that it tells apart by the piece that they are of.
         faults: Errors beyond the camera's own, injected by tests and evaluations.
         looked_s: Processor time that the pictures took, beside drawing, each.
     """
@@ -91,6 +92,7 @@ class CameraFeed:
             waits: Whether each picture is drawn when it is due to be told, and waited for, as lockstep needs.
         """
         self.labels: frozenset[str] | None = None
+        self.fronts: frozenset[str] = frozenset()
         self.faults = CameraFaults()
         self.looked_s: list[float] = []
         self._number, self._camera, self._physics, self._light = number, camera, physics, light

@@ -330,7 +330,16 @@ class SimulatorTruth:
 def _fixed_of(piece: Furniture) -> Iterator[TrueObject]:
     """The solids of a piece that do not move, and behind them the floors of its named regions."""
     for solid in furniture.solids(piece):
-        yield TrueObject(solid.name, "furniture", piece.kind, None, solid.shape, solid.world_T_solid)
+        yield TrueObject(
+            solid.name,
+            "furniture",
+            piece.kind,
+            None,
+            solid.shape,
+            solid.world_T_solid,
+            names=piece.names,
+            categories=piece.categories,
+        )
     for region, plate in zip(piece.regions, furniture.region_plates(piece), strict=True):
         name = region.name.lower()
         yield TrueObject(plate.name, "furniture", name, None, plate.shape, plate.world_T_solid)
@@ -339,7 +348,7 @@ def _fixed_of(piece: Furniture) -> Iterator[TrueObject]:
 def _part_seen_as(piece: Furniture, part: Moving, solid: MovingSolid) -> TrueObject:
     """What a camera is shown of a door or drawer, where its own frame has it."""
     of = own_name(piece.name, piece.kind) or piece.kind
-    moves = part.known_part(furniture.floor_pose(piece), solid, of)
+    moves = part.known_part(furniture.floor_pose(piece), solid, of, piece.names)
     pose = solid.part_T_solid
     return TrueObject(solid.name, "furniture", solid.kind, None, solid.shape, pose, moves=moves)
 

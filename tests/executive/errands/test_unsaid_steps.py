@@ -269,7 +269,7 @@ class Notes:
             places=("kitchen", "living room"),
             grippers={"right": None},
             model=SimpleNamespace(description=load_description("talos")),
-            detector=SimpleNamespace(labels=None),
+            detector=SimpleNamespace(labels=None, fronts=frozenset()),
         )
         self.told, self.fails, self.failure = [], fails, failure
 

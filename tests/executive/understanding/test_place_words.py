@@ -139,11 +139,29 @@ def test_a_word_stays_what_it_is_though_somebody_is_called_by_it():
     assert command.object == ObjectDescription("cup", "green")
 
 
-def test_what_has_a_door_or_drawers_is_no_thing_of_that_name():
-    with words_of_the_place(("microwave", "microwave door", "cabinet", "cabinet drawer")):
-        (door,) = parse("open the microwave door").commands
-        (drawer,) = parse("open the top drawer of the cabinet").commands
+@pytest.mark.parametrize("noun", ["microwave", "larder", "tall larder", "credenza", "kiln"])
+def test_what_has_a_door_can_be_opened_whatever_it_is_called(noun):
+    with words_of_the_place((noun, "cup"), fronts=(f"{noun} door",)):
+        (opened,) = parse(f"open the {noun}").commands
+        (door,) = parse(f"close the {noun} door").commands
+        assert parse("open the cup").refusal.word == "cup"
 
-    assert door.object == ObjectDescription("microwave")
+    assert opened.object == door.object == ObjectDescription(noun)
+
+
+@pytest.mark.parametrize("noun", ["larder", "tall larder", "credenza"])
+def test_what_nobody_told_to_have_a_door_cannot_be_opened(noun):
+    with words_of_the_place((noun,), fronts=("fridge door",)):
+        assert not parse(f"open the {noun}").commands
+
+
+def test_a_drawer_is_said_to_be_in_what_has_drawers():
+    with words_of_the_place(
+        ("cabinet", "wooden credenza"), fronts=("cabinet drawer", "wooden credenza drawer")
+    ):
+        (drawer,) = parse("open the top drawer of the cabinet").commands
+        (other,) = parse("open the top drawer of the credenza").commands
+
+    assert str(other.object.relation.to) == "credenza"
     assert (drawer.object.kind, drawer.object.ordinal) == ("drawer", "top")
     assert str(drawer.object.relation.to) == "cabinet"

@@ -141,6 +141,7 @@ class LiveRig:
             "robot": "talos",
             "scene": "none",
             "labels": None,
+            "fronts": [],
             "seed": 0,
             "period_s": PERIOD_S,
             "state_every_s": 0.01,

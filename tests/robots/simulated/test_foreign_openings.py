@@ -7,7 +7,6 @@ import pytest
 
 from robots.interface.hardware import RobotData
 from robots.models.description import load_robot
-from robots.perception.told_labels import labels_in
 from robots.scenes.moving_parts import moving_parts
 from robots.scenes.scene_file import load_scene
 from robots.simulated.body.furniture_model import part_body
@@ -72,9 +71,3 @@ def test_the_truth_tells_each_solid_with_the_part_that_it_is_of(world):
         "bottom drawer",
     }
     assert told["cabinet/top drawer/handle"].moves.is_of(front.moves)
-
-
-def test_labels_say_what_has_a_door_and_what_has_drawers():
-    labels = labels_in(load_scene("cabinet"))
-
-    assert {"cabinet drawer", "microwave door"} <= labels

@@ -36,6 +36,7 @@ from trees.beliefs.grounding.names_of_things import may_name_a
 from trees.beliefs.grounding.questions import which_is_meant
 from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.scene.believed_thing import PERSON, Surroundings
+from trees.beliefs.scene.labels import besides, label_of, plain, words_besides
 from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure, Reason
 from trees.tasks import Destination, HandOverTask, ObjectDescription, ObjectOf
@@ -195,7 +196,7 @@ def _places(seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[st
 def furniture_named(kind: str, scene: PlanningScene) -> list[SceneObject]:
     """The solids of the furniture that is called so in a scene, the one with the largest face first."""
     fixed = [item for item in scene.objects.values() if not item.movable]
-    words = called_so(kind, (kind_of(item.name) for item in fixed))
+    words = called_so(kind, words_besides((kind_of(item.name), label_of(item)) for item in fixed))
     found = [item for item in fixed if kind_of(item.name) in words]
     return sorted(found, key=lambda item: -_face_m2(item))
 
@@ -231,15 +232,16 @@ def _the(name: str) -> str:
 
 
 def _has_furniture(seen: Mapping[str, ObjectEstimate], wanted: ObjectDescription) -> bool:
-    kind = kind_called(wanted.kind or "")
-    return any(item.category == "furniture" and item.kind == kind for item in seen.values())
+    kind, said = kind_called(wanted.kind or ""), plain(wanted.kind or "")
+    pieces = (item for item in seen.values() if item.category == "furniture")
+    return any(item.kind == kind or said in besides(item.label) for item in pieces)
 
 
 def _furniture_called(said: str, seen: Mapping[str, ObjectEstimate]) -> dict[str, ObjectEstimate]:
     """Of furniture, "table" is its top, "table 2" a leg or another one."""
     furniture = {name: item for name, item in seen.items() if item.category == "furniture"}
-    words = called_so(said, furniture)
-    return {name: item for name, item in furniture.items() if name in words}
+    words = called_so(said, words_besides((kind_of(name), item.label) for name, item in furniture.items()))
+    return {name: item for name, item in furniture.items() if name in words or name.lower() == said.lower()}
 
 
 def _named(word: str, seen: Mapping[str, ObjectEstimate], around: Surroundings) -> dict[str, ObjectEstimate]:

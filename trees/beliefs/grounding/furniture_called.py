@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 from kinematics.scene.known_part import KnownPart
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.ranking import PLACES
 from trees.beliefs.scene.believed_thing import BelievedThing, Surroundings
+from trees.beliefs.scene.labels import plain
 from trees.beliefs.scene.scene_update import kind_of
 from trees.tasks import ObjectDescription
 
@@ -16,19 +17,22 @@ _EVERYDAY = frozenset({"kitchen table", "dining table", "dinner table", "living 
 """What people call a table that nothing else is called by."""
 
 
-def called_so(said: str, known: Iterable[str]) -> frozenset[str]:
+def called_so(said: str, known: Mapping[str, Collection[str]]) -> frozenset[str]:
     """The words, of those that furniture is called by, that somebody means.
 
-    The very words come first. "The table" may be the side table; but the side table is none of those that are
-    called nothing but table, for it may be one that nobody has seen yet, and nobody calls a desk a table.
+    The very words come first, and then what a piece is called besides. "The table" may be the side table; but
+    the side table is none of those that are called nothing but table, for it may be one that nobody has seen
+    yet, and nobody calls a desk a table.
 
     Args:
         said: "table", "side table", "desk"; without an article.
-        known: What the pieces that were seen are called, without their numbers.
+        known: What the pieces that were seen are called, without their numbers, and what besides.
     """
     wanted, words = said.lower(), frozenset(known)
     if same := {one for one in words if one.lower() == wanted}:
         return frozenset(same)
+    if named := {one for one, besides in known.items() if plain(said) in besides}:
+        return frozenset(named)
     if alike := {one for one in words if is_said_of(wanted, one)}:
         return frozenset(alike)
     return words & {kind_called(wanted)} if wanted in _EVERYDAY else frozenset()
@@ -90,7 +94,9 @@ def is_at(place: str | None, moves: KnownPart | None) -> bool:
 
 def is_of(whole: str | None, moves: KnownPart | None) -> bool:
     """Whether a part is one of the piece that is named, "cabinet" of a wooden one; without a model any is."""
-    return whole is None or moves is None or is_said_of(whole, moves.of)
+    if whole is None or moves is None:
+        return True
+    return is_said_of(whole, moves.of) or plain(whole) in map(plain, moves.names)
 
 
 def whole_in(described: ObjectDescription) -> str | None:

@@ -15,7 +15,7 @@ from kinematics.geometry import poses
 from robots.scenes.furniture_names import kind_called
 from trees.beliefs.grounding.articles import with_article
 from trees.beliefs.grounding.choice_words import from_the_left, told_apart
-from trees.beliefs.grounding.furniture_called import pieces_called, standing_on
+from trees.beliefs.grounding.furniture_called import called_so, pieces_called, standing_on
 from trees.beliefs.grounding.names_of_things import named
 from trees.beliefs.grounding.ranking import least, ordered, sized, there_are
 from trees.beliefs.grounding.spatial_relation import between_m, lies, lies_from_robot
@@ -308,11 +308,9 @@ def _furniture_meant(
     found = pieces_called(wanted.name or wanted.kind or "", around)
     if wanted.name is not None or not says_which(wanted):
         return found
-    pieces = [
-        thing
-        for thing in around.things
-        if not thing.movable and wanted.kind in (thing.kind, kind_called(thing.kind))
-    ]
+    words = called_so(wanted.kind or "", around.furniture_words)
+    fixed = [thing for thing in around.things if not thing.movable]
+    pieces = [one for one in fixed if one.kind in words or wanted.kind == kind_called(one.kind)]
     boards = [thing for thing in pieces if thing.half_height_m <= _BOARD_HALF_M]
     if wanted.ordinal == "other":
         return _other_furniture(wanted, boards or pieces, around, leaves)

@@ -15,7 +15,7 @@ from kinematics.geometry.shapes import Box, Cylinder, Shape
 from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
 from kinematics.scene.support_of import half_height_m, support_of
-from trees.beliefs.scene.labels import label_in, label_of
+from trees.beliefs.scene.labels import label_in, label_of, words_besides
 
 PERSON = "person"
 
@@ -119,9 +119,10 @@ class Surroundings(Sealed):
         return tuple(thing for thing in self.things if thing.movable)
 
     @property
-    def furniture_words(self) -> frozenset[str]:
-        """What the furniture is called, without numbers."""
-        return frozenset(thing.kind for thing in self.things if not thing.movable and not thing.is_person)
+    def furniture_words(self) -> Mapping[str, frozenset[str]]:
+        """What the furniture is called, without numbers, and what each may be called besides."""
+        fixed = (thing for thing in self.things if not thing.movable and not thing.is_person)
+        return words_besides((thing.kind, thing.label) for thing in fixed)
 
     def label(self, name: str) -> Label:
         """What something of that name is called; by its name alone where it is not known any more."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from enum import IntEnum
 
 from kinematics.scene.label import Label
@@ -26,6 +26,23 @@ def label_of(item: SceneObject) -> Label:
 def label_in(name: str, movable: bool = True) -> Label:
     """What a name of the planning scene says: kind and colour of an object, the kind of all else."""
     return Label(*split_words(name)) if movable else Label(kind_of(name))
+
+
+def words_besides(named: Iterable[tuple[str, Label]]) -> Mapping[str, frozenset[str]]:
+    """What things are called, and what each may be called besides.
+
+    Args:
+        named: What each is called first, and its label; things that are called alike are taken together.
+    """
+    words: dict[str, frozenset[str]] = {}
+    for called, label in named:
+        words[called] = words.get(called, frozenset()) | besides(label)
+    return words
+
+
+def besides(label: Label) -> frozenset[str]:
+    """What a thing is called besides its kind, as words are compared."""
+    return frozenset(map(plain, (*label.names, *label.categories)))
 
 
 class CalledBy(IntEnum):

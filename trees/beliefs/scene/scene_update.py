@@ -319,14 +319,20 @@ def _free_name(words: str, taken: set[str]) -> str:
 def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
     """What was seen, as a planning scene has it."""
     fixed = estimate.category != "object"
-    label = {"object": estimate.label, "person": Label(kind_of(name), traits=estimate.traits)}
+    words = kind_of(name)
+    named = (words, *estimate.names) if estimate.names else ()  # it is told by its own name
+    label = {
+        "object": estimate.label,
+        "person": Label(words, traits=estimate.traits),
+        "furniture": Label(words, names=named, categories=estimate.categories),
+    }
     return SceneObject(
         name=name,
         shape=estimate.shape,
         world_T_object=estimate.odom_T_object,
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
-        label=label.get(estimate.category),
+        label=label[estimate.category],
         moves=estimate.moves,
     )
 

@@ -39,10 +39,10 @@ def _about(written: Written) -> str | None:
     return BODY_OF[handle.kind] if handle.moves is None else str(handle.moves.of)
 
 
-def _refuses(task: OpenTask | CloseTask, labels: Collection[str] | None) -> str:
+def _refuses(task: OpenTask | CloseTask, fronts: Collection[str]) -> str:
     from trees.skills.doors.meant_part import opens_nothing
 
-    return opens_nothing(task, labels)
+    return opens_nothing(task, fronts)
 
 
 SKILLS = (

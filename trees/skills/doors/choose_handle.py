@@ -12,7 +12,7 @@ from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
-from trees.skills.doors.meant_part import meant_part, those_meant
+from trees.skills.doors.meant_part import meant_part, those_meant_here
 from trees.skills.doors.pushed_front import known_parts
 from trees.tasks import CloseTask, ObjectDescription, OpenTask
 from trees.toolbox import Toolbox
@@ -54,7 +54,7 @@ class ChooseHandle(Leaf):
         named = isinstance(wanted, ObjectDescription) and wanted.name is not None
         drawers = self.toolbox.model.description.pushing.drawers
         known = known_parts(self.toolbox.world.scene, feet_pose(self.toolbox), self._pushed, drawers)
-        fitting = those_meant(task, known, self.toolbox.places)
+        fitting = those_meant_here(task, known, self.toolbox)
         chosen = first if named or not fitting else meant_part(task, fitting, self.toolbox)
         if isinstance(chosen, Failure):
             return chosen

@@ -23,7 +23,7 @@ from trees.skills.doors.meant_part import (
     misnamed,
     noun_of,
     opens_nothing,
-    those_meant,
+    those_meant_here,
     whole_of,
     with_fronts,
 )
@@ -67,9 +67,9 @@ class DetectHandle(LookLeaf):
         self.measured(frames=len(views), things=len(update.seen), scene_version=update.scene.version)
         task: OpenTask | CloseTask = self.get_input("task")
         wanted = task.object
-        if told := opens_nothing(task, self.toolbox.detector.labels):
+        if told := opens_nothing(task, self.toolbox.detector.fronts):
             return Failure.infeasible(told)
-        fitting = those_meant(task, self.candidates(update.seen), self.toolbox.places)
+        fitting = those_meant_here(task, self.candidates(update.seen), self.toolbox)
         if not fitting:
             return self._unseen(task, update)
         named = wanted.name if isinstance(wanted, ObjectDescription) else None
@@ -101,7 +101,7 @@ class DetectHandle(LookLeaf):
         kind = None if noun is None else MEANT_BY.get(noun)
         objects = update.scene.objects.items()
         known = [f"{item.moves.of} {kind_of(name)}" for name, item in objects if item.moves is not None]
-        fronts = with_fronts({*known, *(self.toolbox.detector.labels or ())}, kind)
+        fronts = with_fronts({*known, *self.toolbox.detector.fronts}, kind)
         shown = {
             words_for(one)
             for one in update.seen.values()
@@ -146,7 +146,7 @@ class DetectFront(DetectHandle):
         chosen = self.optional("known") is not None
         if chosen or not isinstance(outcome, Failure) or outcome.kind is not FailureKind.POSTCONDITION:
             return outcome
-        meant = those_meant(self.get_input("task"), self._by_handle, self.toolbox.places)
+        meant = those_meant_here(self.get_input("task"), self._by_handle, self.toolbox)
         if not meant:
             return outcome
         what = "a drawer" if any(one.kind == DRAWER for one in meant) else "a door so small"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.articles import with_article
-from trees.beliefs.grounding.furniture_called import is_at, is_of, is_said_of, places_told, whole_in
+from trees.beliefs.grounding.furniture_called import called_so, is_at, is_of, places_told, whole_in
 from trees.beliefs.grounding.grounding import Ambiguous, Found, Missing, choices_among, ground
 from trees.beliefs.grounding.names_of_things import may_name_a
 from trees.beliefs.grounding.questions import which_is_meant
@@ -82,7 +83,10 @@ def noun_of(task: OpenTask | CloseTask) -> str | None:
 
 
 def those_meant(
-    task: OpenTask | CloseTask, items: Sequence[HandleTarget], places: Collection[str]
+    task: OpenTask | CloseTask,
+    items: Sequence[HandleTarget],
+    places: Collection[str],
+    known: Mapping[str, Collection[str]] = MappingProxyType({}),
 ) -> list[HandleTarget]:
     """The doors and drawers of the kind that the noun means, and of the piece that is named.
 
@@ -92,11 +96,20 @@ def those_meant(
         task: What is to be done.
         items: All that were seen.
         places: Names of the rooms on the map.
+        known: What furniture is called, and what besides, as for ``called_so``.
     """
     noun, whole, place = noun_of(task), whole_of(task, places), _described(task).ordinal
+    nouns = None if noun is None else {noun, *called_so(noun, known)}
     return [
-        item for item in items if _is_a(noun, item) and is_of(whole, item.moves) and is_at(place, item.moves)
+        item for item in items if _is_a(nouns, item) and is_of(whole, item.moves) and is_at(place, item.moves)
     ]
+
+
+def those_meant_here(
+    task: OpenTask | CloseTask, items: Sequence[HandleTarget], toolbox: Toolbox
+) -> list[HandleTarget]:
+    """Those that are meant where the robot is, by what it believes to be there."""
+    return those_meant(task, items, toolbox.places, what_is_around(toolbox).furniture_words)
 
 
 def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
@@ -105,42 +118,42 @@ def whole_of(task: OpenTask | CloseTask, places: Collection[str]) -> str | None:
     return None if whole in places else whole
 
 
-def _is_a(noun: str | None, item: HandleTarget) -> bool:
-    if noun is None or noun == item.kind:
+def _is_a(nouns: Collection[str] | None, item: HandleTarget) -> bool:
+    if nouns is None or item.kind in nouns:
         return True
     if item.moves is None:
-        return MEANT_BY.get(noun) == item.kind
-    return is_said_of(noun, item.moves.of) or is_said_of(noun.removesuffix(f" {item.kind}"), item.moves.of)
+        return any(MEANT_BY.get(noun) == item.kind for noun in nouns)
+    return any(is_of(noun.removesuffix(f" {item.kind}"), item.moves) for noun in nouns)
 
 
-def opens_nothing(task: OpenTask | CloseTask, labels: Collection[str] | None = None) -> str:
+def opens_nothing(task: OpenTask | CloseTask, fronts: Collection[str]) -> str:
     """That what is named is neither a door nor a drawer, nor has one that is known; else empty.
 
     Args:
         task: What is to be done.
-        labels: The words that perception can tell: "microwave door" says that microwaves have one.
+        fronts: What perception tells apart by the piece that it is of: "microwave door".
     """
     noun = noun_of(task)
-    if noun is None or noun in MEANT_BY or any(_has(noun, label) for label in labels or ()):
+    if noun is None or noun in MEANT_BY or any(_has(noun, front) for front in fronts):
         return ""
     return f"{with_article(noun)} is nothing that I can open or close"
 
 
-def with_fronts(labels: Collection[str], kind: str | None) -> set[str]:
-    """What has doors or drawers, by the words that perception can tell: "microwave" of "microwave door".
+def with_fronts(fronts: Collection[str], kind: str | None) -> set[str]:
+    """What has doors or drawers, by what those are called: "microwave" of "microwave door".
 
     Args:
-        labels: Those words.
+        fronts: What they are called.
         kind: "door" or "drawer"; None for both.
     """
-    split = (label.rpartition(" ") for label in labels)
+    split = (front.rpartition(" ") for front in fronts)
     return {of for of, _, part in split if of and part in ((kind,) if kind else BODY_OF)}
 
 
-def _has(noun: str, label: str) -> bool:
-    """Whether a label is that of the door or drawer of what somebody names."""
-    of, _, part = label.rpartition(" ")
-    return part in BODY_OF and bool(of) and noun in (label, of, of.rpartition(" ")[2])
+def _has(noun: str, front: str) -> bool:
+    """Whether that is the door or drawer of what somebody names."""
+    of = front.rpartition(" ")[0]
+    return noun in (front, of, of.rpartition(" ")[2])
 
 
 def is_so(task: OpenTask | CloseTask, item: HandleTarget) -> bool:

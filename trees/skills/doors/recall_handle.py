@@ -14,7 +14,7 @@ from trees.nodes.leaf import DONE, Leaf
 from trees.nodes.ports import ports
 from trees.readings.odometry import feet_pose
 from trees.skills.doors.handle_standing import handle_standing_place
-from trees.skills.doors.meant_part import meant_part, noun_of, those_meant
+from trees.skills.doors.meant_part import meant_part, noun_of, those_meant_here
 from trees.skills.doors.pushed_front import known_parts
 from trees.tasks import CloseTask, OpenTask
 from trees.toolbox import Toolbox
@@ -61,7 +61,7 @@ class RecallHandle(Leaf):
         body = feet_pose(toolbox)
         drawers = toolbox.model.description.pushing.drawers
         targets = known_parts(toolbox.world.scene, body, self._pushed, drawers)
-        fitting = those_meant(task, targets, toolbox.places)
+        fitting = those_meant_here(task, targets, toolbox)
         if not fitting:
             return Failure.postcondition(f"no {noun or 'door or drawer'} was seen before")
         chosen = meant_part(task, fitting, toolbox)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from trees.beliefs.grounding.furniture_called import is_called
+from trees.beliefs.grounding.furniture_called import is_called, standing_on
 from trees.beliefs.scene.held_object import HeldObject, fits
 from trees.failures import Failure, Number
 from trees.nodes.contract import Contract
@@ -12,6 +12,7 @@ from trees.nodes.leaf import DONE, RUNNING, Leaf
 from trees.nodes.ports import ports
 from trees.port_values import Target
 from trees.readings.held import free_hands, held_objects, lost
+from trees.readings.odometry import what_is_around
 from trees.tasks import Destination, ObjectDescription, PickTask
 
 
@@ -73,8 +74,10 @@ class HandForIt(Leaf):
     def _is_from(self, held: HeldObject, source: Destination | None) -> bool:
         """Whether it was taken from where what is meant is said to be."""
         origin = self.toolbox.world.taken_from.get(held.name)
-        named = isinstance(source, str) and origin is not None and is_called(origin.support, source)
-        return source is None or named
+        if not isinstance(source, str) or origin is None:
+            return source is None
+        meant = standing_on(source, what_is_around(self.toolbox))
+        return is_called(origin.support, source) or meant(origin.support)
 
     def _told(self, held: HeldObject) -> Status:
         gripper = self.toolbox.model.description.grippers[held.hand]

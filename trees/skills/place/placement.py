@@ -33,6 +33,7 @@ from trees.beliefs.grounding.report_words import kinds_in
 from trees.beliefs.scene.believed_thing import Surroundings
 from trees.beliefs.scene.furniture_pieces import are_one_piece
 from trees.beliefs.scene.held_object import HeldObject
+from trees.beliefs.scene.labels import besides, label_of
 from trees.beliefs.scene.scene_update import kind_of
 from trees.beliefs.sight.sight_of_tops import ABOVE_M, SightOfTops
 from trees.failures import Failure, Reason
@@ -214,7 +215,8 @@ def _doubt(
     if not are_one_piece(tops[0], scene.objects[leaves]):
         return None
     words = kind_of(tops[0].name)
-    return None if words in _kinds(named, scene) else f"it stands on the {words} already"
+    very = {words, *besides(label_of(tops[0]))}
+    return f"it stands on the {words} already" if very.isdisjoint(_kinds(named, scene)) else None
 
 
 def _tops_called(named: Destination, scene: PlanningScene) -> list[SceneObject]:
@@ -383,9 +385,8 @@ def _comfort(held: HeldObject, odom_T_base: Transform) -> Callable[[Array], floa
 def _resting(held: HeldObject, spot: FreeSpot, top: SceneObject, scene: PlanningScene) -> Spot:
     """The pose of an object that stands upright on a spot; of any shape, as its hull rests there."""
     turn, height_m = how_it_stands(held.shape)
-    place = spot.place_m + np.array([0.0, 0.0, height_m])
     below = [name for name in furniture_right_below(spot.place_m, scene) if name != top.name]
-    return Spot(poses.transform(turn, place), (top.name, *below))
+    return Spot(poses.transform(turn, spot.place_m + np.array([0.0, 0.0, height_m])), (top.name, *below))
 
 
 def how_it_stands(shape: Shape) -> tuple[Array, float]:

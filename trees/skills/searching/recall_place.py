@@ -12,6 +12,7 @@ from robots.perception.detector import Category
 from trees.beliefs.grounding.destination import Place, aim_of, words_of
 from trees.beliefs.grounding.furniture_called import called_so, others_like
 from trees.beliefs.grounding.grounding import Found, ground
+from trees.beliefs.scene.labels import label_of, words_besides
 from trees.beliefs.scene.scene_update import kind_of
 from trees.failures import Failure
 from trees.nodes.contract import Contract
@@ -59,7 +60,8 @@ class RecallPlace(Leaf):
         wanted = (aim.name or aim.kind) if isinstance(aim, ObjectDescription) else str(aim)
         world = self.toolbox.world
         fixed = {name: item for name, item in world.scene.objects.items() if not item.movable}
-        meant = called_so(wanted, fixed) if wanted is not None else frozenset()
+        called = words_besides((name, label_of(item)) for name, item in fixed.items())
+        meant = called_so(wanted, called) if wanted is not None else frozenset()
         if meant:
             item = fixed[min(meant)]
             return self.recall(item, "furniture" if isinstance(item.shape, Box) else "person")

@@ -103,7 +103,9 @@ class TellingLeaf(Leaf):
             if not called_so(source, around.furniture_words):
                 known = kinds_in(thing.name for thing in around.things)
                 return Failure.postcondition(f"no {source} seen", seen=known).because(Reason.NOT_SEEN)
-            if (shut := why_shut(self.toolbox.world.scene, source)) is not None:
+            if (
+                shut := why_shut(self.toolbox.world.scene, str(self.called_here(source, around)))
+            ) is not None:
                 return shut
         people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
         at = None if region is not None else source
@@ -167,7 +169,8 @@ class TellingLeaf(Leaf):
         if wanted.kind is None or replace(wanted, kind=None) != ObjectDescription():
             return None
         region = self.region(source)
-        words = {one for one in around.furniture_words if is_said_of(wanted.kind, one)}
+        known = around.furniture_words
+        words = {one for one in known if is_said_of(wanted.kind, one)} | called_so(wanted.kind, known)
         is_furniture = bool(words) or kind_called(wanted.kind) in FURNITURE_KINDS
         if not is_furniture or (source is not None and region is None):
             return None

@@ -16,11 +16,9 @@ from robots.perception.rgbd.openings.bar import Bar, completed, find_bar
 from robots.perception.rgbd.openings.cabinet import OPENING, YAW, Cabinet, X, Y, Z, surface_m
 from robots.perception.rgbd.openings.fit import ON_MAP, ON_SIGHT, Fit, Prior, fit
 from robots.perception.rgbd.openings.view import Thinned, View, thinned, view_of
-from robots.perception.rgbd.piece import Piece
+from robots.perception.rgbd.piece import Piece, pieces_of
 from robots.perception.surface import surface_points
-from robots.scenes import furniture
 from robots.scenes.articulated import DRAWER_BOTTOM, HANDLE, MovingSolid
-from robots.scenes.furniture_names import own_name
 from robots.scenes.scene_description import Furniture
 
 _WORST = 0.6
@@ -70,13 +68,8 @@ class SeenCabinet(InFloat64):
     def pieces(self) -> list[Piece]:
         """Its solids, as far as they are seen or follow from what is."""
         piece, config = self.cabinet.piece, self.fit.config
-        told = own_name(piece.name, piece.kind)
-        raised = poses.translation(0.0, 0.0, float(config[Z]))
         standing = replace(self.placed, size_m=piece.size_m)
-        found = [
-            Piece(piece.kind, told, solid.shape, raised @ solid.world_T_solid, 0.95)
-            for solid in furniture.solids(standing)
-        ]
+        found = pieces_of(standing, 0.95, raised_m=float(config[Z]))
         if self.front_seen:
             part = self.cabinet.odom_T_piece(config) @ self.cabinet.piece_T_part(float(config[OPENING]))
             for k, solid in enumerate(self.cabinet.moving):

@@ -1,6 +1,6 @@
 """A frame of perception crosses the socket whole."""
 
-from dataclasses import fields
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +9,7 @@ import pytest
 
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
+from kinematics.scene.known_part import KnownPart
 from robots.live.documents.frame_message import read_frame, write_frame
 from robots.live.wire.messages import read_object
 from robots.perception.detector import Detection, PerceptionFrame
@@ -18,6 +19,9 @@ from tests.kinematics.parts_of_things import CORNERS, of_hulls, outlined
 
 POSE = poses.transform(poses.rotation_z(0.3), (0.1, -0.2, 1.5))
 ERROR = PositionError(np.diag([1e-5, 2e-5, 3e-5]), 1e-6 * np.eye(3), 0.02, np.diag([4e-6, 5e-6, 6e-6]))
+SHUT = poses.transform(poses.rotation_z(-0.2), (0.3, 0.1, 1.1))
+DOOR = KnownPart(SHUT, 1.4, "microwave", "door", -1.0, (0.01, -0.25), ("oven", "cooker"))
+DRAWER = KnownPart(SHUT, 0.3, "wooden cabinet", "top drawer")
 SEEN = (
     Detection("object", "cup", "red", POSE, Cylinder(0.03, 0.1), 0.9),
     Detection("object", "ball", None, POSE, Ball(0.03), 0.8),
@@ -25,7 +29,21 @@ SEEN = (
     Detection("person", "person", None, POSE, Cylinder(0.25, 1.7), 0.7, "Ana"),
     Detection("object", "can", "blue", POSE, Cylinder(0.03, 0.1), 0.9, error=ERROR),
     Detection("object", "bowl", None, POSE, Cylinder(0.03, 0.1), 0.3, picture=bytes(range(256))),
+    Detection("object", "tin", None, POSE, Cylinder(0.03, 0.1), 0.6, alike=("can", "cup"), cut=True),
+    Detection("person", "person", None, POSE, Cylinder(0.25, 1.7), 0.7, traits=("sitting", "red shirt")),
+    Detection("furniture", "table", None, POSE, Box((0.6, 1.2, 0.04)), 0.95, names=("sideboard",)),
+    Detection("object", "can", None, POSE, Cylinder(0.03, 0.1), 0.9, names=("soup",), categories=("food",)),
+    Detection("furniture", "door", None, POSE, Box((0.02, 0.3, 0.2)), 0.9, moves=DOOR),
+    Detection("furniture", "drawer", None, POSE, Box((0.02, 0.3, 0.2)), 0.9, moves=DRAWER),
 )
+
+
+def test_there_is_an_example_of_everything_that_is_told():
+    usual = {field.name: field.default for field in fields(Detection) if field.default is not MISSING}
+
+    assert {
+        name for name, value in usual.items() if all(getattr(one, name) == value for one in SEEN)
+    } == set()
 
 
 def told(detection: Detection) -> dict[str, Any]:
@@ -40,7 +58,12 @@ def test_everything_that_was_seen_arrives(detection: Detection) -> None:
     before, after = told(detection), told(arrived.detections[0])
     np.testing.assert_array_equal(before.pop("camera_T_object"), after.pop("camera_T_object"))
     sent, came = before.pop("error"), after.pop("error")
+    part, moved = before.pop("moves"), after.pop("moves")
     assert after == before
+    assert (part is None) is (moved is None)
+    if part is not None:
+        np.testing.assert_array_equal(moved.shut, part.shut)
+        assert replace(moved, shut=part.shut) == part
     assert (sent is None) is (came is None)
     if sent is not None:
         np.testing.assert_array_equal(came.lasting_m2, sent.lasting_m2)

@@ -6,14 +6,19 @@ import pytest
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.scene.planning_scene import PlanningScene, SceneObject
+from robots.perception.object_estimate import ObjectEstimate
+from trees.beliefs.grounding.destination import furniture_named, resolve
 from trees.beliefs.grounding.furniture_called import called_so, may_be_called, others_like
 from trees.beliefs.grounding.grounding import Found, Missing, ground, ground_furniture
 from trees.beliefs.scene.believed_thing import surroundings
+from trees.beliefs.scene.scene_update import updated_scene
 from trees.failures import Failure
+from trees.policy import TreePolicy
 from trees.skills.place.placement import why_not_there
 from trees.tasks import ObjectDescription
 
 GAP_M = 0.02
+POLICY = TreePolicy()
 
 
 def top(name, y):
@@ -48,7 +53,71 @@ def why_not(on, known):
     ],
 )
 def test_the_very_words_come_first_and_another_name_is_another_piece(said, known, meant):
+    assert called_so(said, dict.fromkeys(known, ())) == meant
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("sideboard", {"side table"}),
+        ("Sideboard", {"side table"}),
+        ("antiques", {"side table", "stove"}),
+        ("side table", {"side table"}),
+        ("table", {"table"}),
+        ("desk", {"desk"}),
+        ("dresser", set()),
+    ],
+)
+def test_what_a_piece_is_called_besides_comes_before_what_its_name_ends_on(said, meant):
+    known = {"side table": {"sideboard", "antiques"}, "stove": {"antiques"}, "table": {"desk"}, "desk": ()}
+
     assert called_so(said, known) == meant
+
+
+def piece(shape, y, z, *called):
+    pose = poses.translation(0.8, y, z)
+    return ObjectEstimate("furniture", "table", None, pose, shape, 0.9, 8, 0.0, *called)
+
+
+def sideboard():
+    """A look at a side table with two solids, and at a table."""
+    board, leg, called = (
+        Box((0.5, 0.8, 0.03)),
+        Box((0.05, 0.05, 0.8)),
+        ("side table", ("sideboard", "credenza")),
+    )
+    seen = [piece(board, -1.0, 0.8, *called), piece(leg, -1.0, 0.4, *called), piece(board, 1.0, 0.8)]
+    return updated_scene(PlanningScene(), seen, POLICY, lambda _: False)
+
+
+def test_a_look_tells_names_and_people_are_told_of_a_piece_by_its_own():
+    update = sideboard()
+    around = surroundings(update.scene, np.eye(4), GAP_M)
+
+    assert {thing.words for thing in around.things} == {"side table", "table"}
+    assert around.furniture_words["side table"] == {"side table", "sideboard", "credenza"}
+    assert around.furniture_words["table"] == frozenset()
+
+
+def test_by_another_name_it_is_one_place_to_walk_to_and_to_put_things_on():
+    update = sideboard()
+    around = surroundings(update.scene, np.eye(4), GAP_M)
+
+    for said in ("credenza", "sideboard", "side table"):
+        assert resolve(ObjectDescription(said), update.seen, around).name == "side table"
+        assert resolve(said, update.seen, around).name == "side table"
+        assert why_not(said, update.scene) is None
+        (found,) = furniture_named(said, update.scene)[:1]
+        assert found.name == "side table"
+    assert isinstance(resolve(ObjectDescription("dresser"), update.seen, around), Failure)
+
+
+def test_a_cup_on_it_is_on_what_it_is_called_besides():
+    known = sideboard().scene.with_objects([*sideboard().scene.objects.values(), cup_on(-1.0)])
+    around = surroundings(known, np.eye(4), GAP_M)
+
+    assert ground(ObjectDescription("cup"), around, "credenza") == Found(("red cup",))
+    assert isinstance(ground(ObjectDescription("cup"), around, "table"), Missing)
 
 
 @pytest.mark.parametrize(

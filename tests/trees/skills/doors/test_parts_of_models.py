@@ -24,7 +24,7 @@ from trees.tasks import CloseTask, ObjectDescription, OpenTask, Relation
 
 HIGH = ((1, 1.0), (2, 0.9), (3, 0.8))
 CABINETS = Relation("in", "cabinet")
-LABELS = {"cabinet drawer", "microwave door", "cup", "door"}
+FRONTS = frozenset({"cabinet drawer", "microwave door"})
 
 
 def said(kind, **more):
@@ -94,7 +94,7 @@ def test_what_shows_no_front_and_is_known_to_have_none_is_told_at_once(stage_wit
 
 def test_what_has_a_door_and_no_drawer_is_told_to_have_none(stage_with):
     stage = stage_with(*shown(MICROWAVE))
-    stage.fake.detector.labels = frozenset(LABELS)
+    stage.fake.detector.fronts = FRONTS
     leaf = DetectHandle("detect", stage.toolbox)
 
     status = stage.run(leaf, task=said("drawer", relation=Relation("in", "microwave")))
@@ -108,8 +108,8 @@ def test_what_has_a_door_and_no_drawer_is_told_to_have_none(stage_with):
     [("microwave", False), ("cabinet", False), ("microwave door", False), ("cup", True), ("kettle", True)],
 )
 def test_only_what_is_known_to_open_is_looked_for(noun, refused):
-    assert bool(opens_nothing(said(noun), LABELS)) is refused
-    assert bool(opens_nothing(CloseTask("close it", ObjectDescription(noun)), LABELS)) is refused
+    assert bool(opens_nothing(said(noun), FRONTS)) is refused
+    assert bool(opens_nothing(CloseTask("close it", ObjectDescription(noun)), FRONTS)) is refused
 
 
 @pytest.mark.parametrize("opening", [0.0, 0.4, 1.3])
@@ -148,7 +148,7 @@ def test_the_next_drawer_is_not_taken_for_the_one_that_a_hand_comes_to(stage_wit
 
 def test_a_door_as_small_as_a_microwaves_is_not_pushed(stage_with):
     stage = stage_with(*shown(MICROWAVE, door=0.8))
-    stage.fake.detector.labels = frozenset(LABELS)
+    stage.fake.detector.fronts = FRONTS
     leaf = DetectFront("detect front", stage.toolbox)
 
     status = stage.run(leaf, task=CloseTask("close it", ObjectDescription("microwave")))
