@@ -25,6 +25,7 @@ _SORTS: Mapping[str, Sort] = {
     "PERSON": "person",
     "ANIMAL": "animal",
 }
+_PARTS = {"DOOR": "door", "CONTAINER": "drawer"}
 _PLURALS: Mapping[str, str] = {
     **{f"{name}S": name for name in ("KIND", "THING", "ONE", "FURNITURE", "CONTAINER", "DOOR", "ANIMAL")},
     "PEOPLE": "PERSON",
@@ -74,13 +75,11 @@ def _door_of(parts: Parts) -> Nominal | None:
 
 
 def _part_of(parts: Parts) -> Nominal | Trouble | None:
-    """The top drawer of the desk: the drawer that is in it, and no other."""
-    (part,) = words(parts, "DRAWER_OF", "SHELF_OF", "DOOR")
-    of = parts[-1]
-    if not isinstance(of, Nominal):
-        (whole,) = words(parts, "CONTAINER")
-        of = Nominal("container", whole.meaning, determined=True, said=whole.said)
-    if part.meaning == of.kind or (part.word_class == "DOOR" and part.meaning != "door"):
+    """The top drawer of the desk, the cabinet drawer: the drawer that is in it, and no other."""
+    (part,) = words(parts, "DRAWER_OF", "SHELF_OF", "DOOR") or words(parts[-1:], "CONTAINER")
+    of = parts[-1] if isinstance(parts[-1], Nominal) else _whole((words(parts, "CONTAINER")[0],))
+    is_part = part.meaning == _PARTS.get(part.word_class, part.meaning)
+    if not isinstance(of, Nominal) or part.meaning == of.kind or not is_part:
         return None
     named = Nominal(_SORTS[part.word_class], part.meaning, determined=True, relation=Relative("in", of))
     return described(named, parts)

@@ -162,6 +162,30 @@ def test_a_drawer_is_said_to_be_in_what_has_drawers():
         (drawer,) = parse("open the top drawer of the cabinet").commands
         (other,) = parse("open the top drawer of the credenza").commands
 
-    assert str(other.object.relation.to) == "credenza"
     assert (drawer.object.kind, drawer.object.ordinal) == ("drawer", "top")
     assert str(drawer.object.relation.to) == "cabinet"
+    assert str(other.object.relation.to) == "credenza"
+
+
+@pytest.mark.parametrize(
+    ("said", "ordinal"),
+    [
+        ("open the cabinet drawer", None),
+        ("open the top cabinet drawer", "top"),
+        ("close the bottom drawer of the cabinet", "bottom"),
+        ("put the cup in the lower cabinet drawer", "bottom"),
+    ],
+)
+def test_the_cabinet_drawer_is_the_drawer_of_the_cabinet(said, ordinal):
+    with words_of_the_place(("cabinet", "cup"), fronts=("cabinet drawer",)):
+        (command,) = parse(said).commands
+
+    drawer = command.to if hasattr(command, "to") else command.object
+    assert (drawer.kind, drawer.ordinal, str(drawer.relation.to)) == ("drawer", ordinal, "cabinet")
+
+
+@pytest.mark.parametrize(
+    "said", ["open the cabinet microwave", "open the fridge cabinet", "open the drawer fridge"]
+)
+def test_two_pieces_are_not_one(said):
+    assert not parse(said).commands
