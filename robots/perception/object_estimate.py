@@ -28,6 +28,8 @@ _FURNITURE_GATE_M = 0.06
 _SAME_PLACE_M = 0.02
 # Unless one is so much wider than the other: then that is a box or bowl with the other inside.
 _HOLDS_FACTOR = 1.6
+# So much wider is enough where both are told in the same pictures: what is named in two ways is of one size.
+_HOLDS_TOGETHER_FACTOR = 1.15
 # Something that leans less stands, and the rest is noise; more, and it lies.
 _STANDING_TILT_RAD = 0.5
 # Detections farther from the median than this, and than three times the usual distance, do not count.
@@ -201,7 +203,7 @@ def fuse_frames(
     needed = min(min_frames, len(unique))
     kept = [cluster for cluster in clusters if len(cluster.detections) >= needed]
     estimates = [_estimate(cluster, len(unique)) for cluster in kept]
-    return tuple(sorted(_one_name_each(estimates), key=_order))
+    return tuple(sorted(_one_name_each(estimates, len(unique)), key=_order))
 
 
 def _assign(odom_T_camera: Transform, frame: PerceptionFrame, clusters: list[_Cluster]) -> None:
@@ -357,14 +359,14 @@ def _mean_shape(shapes: Sequence[Shape]) -> Shape:
     return Ball(_median(shape.radius_m for shape in shapes if isinstance(shape, Ball)))
 
 
-def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
+def _one_name_each(estimates: Sequence[ObjectEstimate], frames: int) -> list[ObjectEstimate]:
     """Of objects of like size at the same place (a flickering kind or colour) keep the one seen most."""
     kept: list[ObjectEstimate] = []
     for estimate in sorted(estimates, key=lambda e: (-e.frames_seen, -e.confidence, *_order(e))):
         taken = estimate.category == "object" and any(
             other.category == "object"
             and math.dist(other.odom_T_object[:3, 3], estimate.odom_T_object[:3, 3]) < _SAME_PLACE_M
-            and not could_hold(other.shape, estimate.shape)
+            and not _are_two(other, estimate, frames)
             for other in kept
         )
         if not taken:
@@ -372,10 +374,16 @@ def _one_name_each(estimates: Sequence[ObjectEstimate]) -> list[ObjectEstimate]:
     return kept
 
 
-def could_hold(a: Shape, b: Shape) -> bool:
+def _are_two(one: ObjectEstimate, other: ObjectEstimate, frames: int) -> bool:
+    """Whether two at one place are a thing, and what it is in."""
+    together = one.frames_seen + other.frames_seen > frames
+    return could_hold(one.shape, other.shape, _HOLDS_TOGETHER_FACTOR if together else _HOLDS_FACTOR)
+
+
+def could_hold(a: Shape, b: Shape, factor: float = _HOLDS_FACTOR) -> bool:
     """Whether one of two solids is so much wider than the other is long that the other may be in it."""
     (a_width_m, a_length_m), (b_width_m, b_length_m) = _ground_m(a), _ground_m(b)
-    return a_width_m > _HOLDS_FACTOR * b_length_m or b_width_m > _HOLDS_FACTOR * a_length_m
+    return a_width_m > factor * b_length_m or b_width_m > factor * a_length_m
 
 
 def _ground_m(shape: Shape) -> tuple[float, float]:

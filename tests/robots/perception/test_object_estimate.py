@@ -193,6 +193,33 @@ def test_what_stands_in_the_middle_of_a_box_is_seen_as_well_as_the_box():
     assert [estimate.kind for estimate in seen] == ["box", "cup"]
 
 
+BASKET = Box((0.170, 0.157, 0.141))
+MUG = Cylinder(0.063, 0.133)
+
+
+def test_a_mug_that_barely_goes_into_a_basket_is_seen_in_it_where_both_are_told_at_once():
+    basket, mug = detection(at(0.5), "basket", "white", BASKET), detection(at(0.505), shape=MUG)
+
+    seen = fuse_frames(views(*[[basket, mug]] * 4, [basket], [mug]))
+
+    assert [estimate.kind for estimate in seen] == ["basket", "cup"]
+
+
+def test_what_is_told_in_turn_to_be_a_mug_and_a_basket_is_one_of_them():
+    basket, mug = detection(at(0.5), "basket", "white", BASKET), detection(at(0.505), shape=MUG)
+
+    (seen,) = fuse_frames(views(*[[basket]] * 5, *[[mug]] * 3))
+
+    assert seen.kind == "basket"
+
+
+@pytest.mark.parametrize("wider", [1.0, 1.03, 1.1])
+def test_what_is_told_twice_at_once_is_of_one_size_and_one_thing(wider):
+    other = detection(at(0.505), "can", shape=Cylinder(wider * CUP.radius_m, CUP.height_m))
+
+    assert len(fuse_frames(views(*[[detection(at(0.5)), other]] * 5))) == 1
+
+
 def test_one_thing_that_is_named_in_two_ways_is_one():
     frames = [[detection(at(0.5))]] * 5 + [[detection(at(0.505), "can")]] * 3
 

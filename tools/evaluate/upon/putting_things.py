@@ -14,6 +14,7 @@ import numpy as np
 from executive.session.assembly import Assembly
 from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
+from kinematics.scene.free_spots import footprint_radius_m
 from robots.scenes.scene_description import Furniture, SceneItem
 from robots.scenes.scene_file import load_scene
 from tools.evaluate.skills import rooms
@@ -29,6 +30,7 @@ _INTO_CHANCE, _OWN_CHANCE, _HELD_CHANCE = 0.5, 0.5, 0.6
 _MIDDLE, _FLOOR = 0.5, 0.35
 """A thing is open at the top where nothing in its middle, as wide as the first share of its width, is higher
 than the second of its height."""
+_ROOM_M = 0.01
 _LEAST_WIDE_M, _MOST_WIDE_M = 0.12, 0.36
 
 
@@ -43,7 +45,9 @@ def put_things_trial(rng: np.random.Generator, scene: str, robot: str) -> Trial:
     count = int(rng.integers(_COUNT[0], _COUNT[1] + 1))
     into = bool(rng.random() < _INTO_CHANCE)
     there = [_container(rng, scene, table, where)] if into else []
-    objects = drawn(rng, scene, robot, table, there, count)
+    objects = drawn(
+        rng, scene, robot, table, there, count, lambda item: all(_fits(item, one) for one in there)
+    )
     aim = objects[0].name
     meant = ObjectDescription(name=aim)
     if into:
@@ -69,10 +73,19 @@ def _container(rng: np.random.Generator, scene: str, table: Furniture, where: ro
     return replace(item, world_T_object=pose)
 
 
+def _fits(item: SceneItem, container: SceneItem) -> bool:
+    """Whether a thing goes into what is open at the top, however it is turned, with a centimetre around."""
+    return footprint_radius_m(item.shape) + _ROOM_M < 0.5 * _width_m(container)
+
+
+def _width_m(item: SceneItem) -> float:
+    return min(item.shape.size_m[:2]) if isinstance(item.shape, Box) else 2.0 * item.shape.radius_m
+
+
 def is_open_at_the_top(item: SceneItem) -> bool:
     """Whether a thing of a mesh is as wide as a bowl, and empty from above down to near its bottom."""
     shape = item.shape
-    wide_m = min(shape.size_m[:2]) if isinstance(shape, Box) else 2.0 * shape.radius_m
+    wide_m = _width_m(item)
     if shape.parts is None or not _LEAST_WIDE_M < wide_m < _MOST_WIDE_M:
         return False
     surface = shape.parts.surface

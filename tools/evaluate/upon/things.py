@@ -8,7 +8,7 @@ they stay where the scene has them, and the robot begins about where it has it s
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -86,6 +86,7 @@ def drawn(
     table: Furniture,
     there: Sequence[SceneItem],
     wanted: int,
+    suits: Callable[[SceneItem], bool] = lambda _item: True,
 ) -> list[SceneItem]:
     """Some of a scene's things somewhere on a table; a hand can take the first of them.
 
@@ -96,6 +97,7 @@ def drawn(
         table: Where they are put.
         there: What stands on it already.
         wanted: How many, where there is room.
+        suits: Whether what is to be done can be done with a thing; the first one suits.
 
     Raises:
         ValueError: The robot's hands can take none of them, or there is no room for one.
@@ -108,7 +110,7 @@ def drawn(
         if (
             named_alone(item, [*there, *objects])
             and _radius_m(item) < _LARGEST_M
-            and (objects or hands.take_alone(item))
+            and (objects or (suits(item) and hands.take_alone(item)))
         ):
             placed = _placed(rng, item, table, [*there, *objects], where)
             objects += [] if placed is None else [placed]

@@ -13,27 +13,35 @@ from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
 from trees.beliefs.grounding.destination import Place, place_from, resolve
 from trees.beliefs.grounding.furniture_called import is_at, is_of, whole_in
+from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.openings.drawer_inside import LEAST_OPEN_M, spots_in_drawer
 from trees.beliefs.openings.handles import opening_of
 from trees.beliefs.scene.held_object import HeldObject
-from trees.failures import Failure
+from trees.failures import Failure, Reason
 from trees.nodes.contract import Contract
 from trees.nodes.leaf import DONE
 from trees.nodes.ports import ports
 from trees.skills.looking.look_around import LookAround
 from trees.skills.place.know_destination import room_beside_m
 from trees.skills.put_in.inside_of import inside_of
-from trees.tasks import ObjectDescription, PutInTask
+from trees.tasks import Destination, ObjectDescription, PutInTask
+from trees.toolbox import Toolbox
 
 # Of an object's foot below the rim when the hand opens: as deep as the hand gets without touching the rim.
 _DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
 # Beside the middle, when the middle does not go: a share of the room that is left.
 _ASIDE = (0.0, 0.5, -0.5)
 _HOVER_M = 0.08
+_BELIEVED = 0.5
+"""Confidence in what is not in view: somebody may have moved it."""
 
 
 class FindContainer(LookAround):
-    """Look, and write poses of the held object in the opening of the container, the deepest one first."""
+    """Look, and write poses of the held object in the opening of the container, the deepest one first.
+
+    What is held may hide the container wherever the eyes look. As a last resort an object is taken to be
+    where it was seen before: another look, with empty hands, tells what became of it.
+    """
 
     INPUT_PORTS = ports(task=PutInTask, held=HeldObject)
     OUTPUT_PORTS = ports(spots=tuple, place=Place)
@@ -44,11 +52,24 @@ class FindContainer(LookAround):
         deadline_s=2.0,
     )
 
+    def __init__(
+        self,
+        name: str,
+        toolbox: Toolbox,
+        wiring: Mapping[str, str] | None = None,
+        *,
+        remembered: bool = False,
+    ) -> None:
+        super().__init__(name, toolbox, wiring)
+        self._remembered = remembered
+
     def found(self, seen: Mapping[str, ObjectEstimate]) -> Status | Failure:
         """Choose the container, and measure it."""
         held = self.get_input("held")
         to = self.get_input("task").to
         place = _drawer_of_model(to, seen) or resolve(to, seen, self.around(), "to")
+        if isinstance(place, Failure) and place.reason is Reason.OUT_OF_VIEW and self._remembered:
+            place = self._where_it_was(to) or place
         if isinstance(place, Failure):
             return place
         spots = self._spots_in(held, place)
@@ -60,6 +81,15 @@ class FindContainer(LookAround):
         self._set_output("spots", spots)
         self.feedback_message = f"into the {place.name}"
         return DONE
+
+    def _where_it_was(self, to: Destination) -> Place | None:
+        """The object that is meant, as it is believed to stand there still; None of furniture."""
+        around, objects = self.around(), self.toolbox.world.scene.objects
+        meant = ground(to, around) if isinstance(to, ObjectDescription) else None
+        item = objects[meant.names[0]] if isinstance(meant, Found) else None
+        if item is None or not item.movable:
+            return None
+        return Place(item.name, "object", item.shape, item.world_T_object, _BELIEVED)
 
     def _spots_in(self, held: HeldObject, place: Place) -> tuple[Spot, ...] | Failure:
         if place.category == "object":

@@ -96,6 +96,8 @@ def _see_it_inside(toolbox: Toolbox) -> Behaviour:
 
 
 def _find_container(toolbox: Toolbox) -> Behaviour:
-    """Looks until it is seen."""
+    """Looks until it is seen; what the held thing hides from every side is where it was."""
     name = "find what it goes into"
-    return look_past_hands(name, lambda: FindContainer("find container", toolbox), toolbox)
+    looks = look_past_hands(name, lambda: FindContainer("find container", toolbox), toolbox)
+    looks.add_child(FindContainer("where it was", toolbox, remembered=True))
+    return looks

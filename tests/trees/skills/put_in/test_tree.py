@@ -2,8 +2,12 @@
 
 import numpy as np
 import pytest
+from py_trees.common import Status
 
+from kinematics.geometry import poses
+from kinematics.geometry.shapes import Cylinder
 from kinematics.requests.pick import PickRequest
+from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import bowl, cup, table
 from robots.perception.truth_view import TrueObject
 from robots.scenes.articulated import furniture_T_part, moving_solids, opened
@@ -11,8 +15,10 @@ from robots.scenes.furniture import floor_pose, solids
 from robots.scenes.scene_file import load_scene
 from tests.trees.cabinet_seen import CABINET, shown
 from tests.trees.household_stage import RED_CUP, asked, run
+from trees.beliefs.scene.held_object import HeldObject
 from trees.events import LeafFailed
-from trees.failures import FailureKind
+from trees.failures import FailureKind, Reason
+from trees.skills.put_in.find_container import FindContainer
 from trees.tasks import DescribeTask, ObjectDescription, PutInTask, Relation
 
 
@@ -34,6 +40,40 @@ def test_a_neighbour_that_was_pushed_while_putting_in_is_told(stage_with):
 
     assert tree.status == "failure"
     assert "the blue cup was moved" in tree.failure.message
+
+
+HELD = HeldObject("red cup", "right", Cylinder(0.03, 0.11), np.eye(4))
+
+
+@pytest.mark.parametrize("remembered", [True, False])
+def test_a_bowl_that_no_look_shows_is_taken_to_be_where_it_was_as_a_last_resort(stage_with, remembered):
+    stage = stage_with(table(), bowl())
+    beside = poses.translation(-0.1, 1.4, 0.93)
+    stage.told.update(stage.told.scene.with_object(SceneObject("red bowl", Cylinder(0.1, 0.07), beside)))
+    leaf = FindContainer("find it", stage.toolbox, remembered=remembered)
+    task = PutInTask("put it in", RED_CUP, ObjectDescription("bowl", "red"))
+
+    status = stage.run(leaf, task=task, held=HELD)
+
+    if remembered:
+        assert status is Status.SUCCESS
+        assert stage.output("place").name == "red bowl"
+        assert stage.output("spots")[0].world_T_object[:2, 3] == pytest.approx(beside[:2, 3])
+    else:
+        assert leaf.failure.reason is Reason.OUT_OF_VIEW
+
+
+def test_of_two_bowls_that_no_look_shows_none_is_taken(stage_with):
+    stage = stage_with(table())
+    bowls = [
+        SceneObject(name, Cylinder(0.1, 0.07), poses.translation(x, 1.4, 0.93))
+        for name, x in (("red bowl", -0.1), ("red bowl 2", -0.5))
+    ]
+    stage.told.update(stage.told.scene.with_objects([*stage.told.scene.objects.values(), *bowls]))
+    leaf = FindContainer("find it", stage.toolbox, remembered=True)
+    task = PutInTask("put it in", RED_CUP, ObjectDescription("bowl", "red"))
+
+    assert stage.run(leaf, task=task, held=HELD) is Status.FAILURE
 
 
 def test_a_cup_that_is_nowhere_to_be_seen_is_not_claimed_to_be_in_the_bowl(stage_with):
