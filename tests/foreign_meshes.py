@@ -33,14 +33,14 @@ def carton(size_m=(0.062, 0.09, 0.16)):
     return trimesh.creation.box(size_m)
 
 
-def bottle(radius_m=0.032, height_m=0.22):
+def bottle(radius_m=0.032, height_m=0.22, shoulder=0.55):
     neck = 0.4 * radius_m
     return lathe(
         [
             (0, 0),
             (radius_m, 0),
-            (radius_m, 0.55 * height_m),
-            (neck, 0.78 * height_m),
+            (radius_m, shoulder * height_m),
+            (neck, (shoulder + 0.23) * height_m),
             (neck, height_m),
             (0, height_m),
         ]

@@ -36,8 +36,6 @@ def why_lacking(need: Need, robot: RobotDescription) -> str | None:
             return f"{robot.name} has no camera"
         case Need.EYES if robot.head_camera is not None and not robot.head_camera.aims:
             return f"the camera of {robot.name} stays as it is"
-        case Need.EYES_IN_WALKS if robot.head_camera is not None and robot.head_camera.trunk is not None:
-            return f"{robot.name} aims by its trunk, which has to stay upright in a walk"
     return None
 
 

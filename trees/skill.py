@@ -60,7 +60,6 @@ class Need(Enum):
     ARM = "an arm"
     LEGS = "feet"
     EYES = "eyes that aim"
-    EYES_IN_WALKS = "eyes that aim while it walks"
 
 
 def as_asked(text: str, _subject: str, _evidence: Evidence) -> str:

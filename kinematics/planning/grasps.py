@@ -329,7 +329,8 @@ def _reach_in(
     as palm and overlap want, measured along the approach; in between the blend by the tilt's sine.
     """
     usual = max(gripper.above_middle * height, gripper.side_gap_m - 0.5 * height)
-    side = min(usual if at == ABOVE_MIDDLE else at * height, 0.5 * height - gripper.side_overlap_m)
+    wanted = at * height if at >= 0.0 else max(at * height, gripper.side_gap_m - 0.5 * height)
+    side = min(usual if at == ABOVE_MIDDLE else wanted, 0.5 * height - gripper.side_overlap_m)
     deepest = gripper.palm_distance_m - gripper.palm_gap_m
     least = gripper.pad_overlap_m
     overlap = max(least, min(0.45 * height, height - gripper.tip_gap_m))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -30,8 +30,16 @@ from kinematics.scene.support_of import half_height_m
 
 _HALF_TURN = np.array([1.0, -1.0, -1.0])
 _ROLLED_COST = 0.3
+_BELLY_HEIGHTS = (-0.1, -0.18)
+"""What fingers press against a palm is of one width all along them: of a bottle that is its belly."""
 _USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20), 0.6
 """As of grasps by an outline: an arm comes from its own outer side, and a little from above."""
+
+
+def every_height(grippers: Iterable[GripperDescription]) -> tuple[float, ...]:
+    """Where hands grasp, as shares of a thing's height from its middle: the usual height first."""
+    palms = any(gripper.palm_side_m is not None for gripper in grippers)
+    return (ABOVE_MIDDLE, *OTHER_HEIGHTS, *(_BELLY_HEIGHTS if palms else ()))
 
 
 def any_grasp_table(
@@ -104,7 +112,7 @@ def no_grasp_reason(item: SceneObject, model: RobotModel, hand: Hand) -> str | N
     if parts is None or not needs_shape_grasps(parts):
         return None
     if gripper.palm_side_m is not None:
-        table = any_grasp_table(item, model, hand, 0.0, 0.0, (ABOVE_MIDDLE, *OTHER_HEIGHTS), 0.0)
+        table = any_grasp_table(item, model, hand, 0.0, 0.0, every_height([gripper]), 0.0)
         width = f"nowhere is the {item.name} of one width over the height of this hand's fingers"
         return None if len(table) else f"{width} that goes into it"
     found = shape_grasps(parts, model, hand, item.world_T_object)

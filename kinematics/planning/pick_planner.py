@@ -12,12 +12,11 @@ from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve
 from kinematics.planning.grasps import (
     ABOVE_MIDDLE,
-    OTHER_HEIGHTS,
     least_depth_m,
     least_width_m,
     widest_between_pads_m,
 )
-from kinematics.planning.grasps_of_shapes import no_grasp_reason
+from kinematics.planning.grasps_of_shapes import every_height, no_grasp_reason
 from kinematics.planning.pick_task import Goal, PickTask, Way
 from kinematics.planning.shape_grasps import needs_shape_grasps
 from kinematics.requests.pick import PickPlan, PickRequest
@@ -67,7 +66,8 @@ class PickPlanner:
 
     def _tasks(self, request: PickRequest, *, level: bool) -> Iterator[PickTask]:
         """The usual one, and a thorough one."""
-        model, every = self._model, (ABOVE_MIDDLE, *OTHER_HEIGHTS)
+        model, grippers = self._model, self._model.description.grippers
+        every = every_height(grippers[hand] for hand in request.hands)
         yield PickTask(model, request, (ABOVE_MIDDLE,), PLANNING_RESERVE_M, upright=True, level=level)
         yield PickTask(model, request, every, LEAST_RESERVE_M, upright=False, level=level)
 

@@ -9,7 +9,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_model import RobotModel
 from kinematics.planning.grasps import ABOVE_MIDDLE, OTHER_HEIGHTS, grasp_table
-from kinematics.planning.grasps_of_shapes import any_grasp_table, no_grasp_reason
+from kinematics.planning.grasps_of_shapes import any_grasp_table, every_height, no_grasp_reason
 from kinematics.scene.planning_scene import SceneObject
 from robots.models.description import load_description
 from tests import foreign_meshes as foreign
@@ -48,6 +48,30 @@ def test_a_bottle_is_taken_where_it_is_of_one_width_and_by_that(model, gripper, 
     tcp_T_bottle = np.linalg.inv(table.world_T_tcp[level]) @ bottle.world_T_object
     np.testing.assert_allclose(tcp_T_bottle[:, 0, 3], 0.0, atol=0.004)
     np.testing.assert_allclose(tcp_T_bottle[:, 1, 3], gripper.grasped_at_m(2.0 * radius_m), atol=0.004)
+
+
+@pytest.mark.parametrize("shoulder", [0.38, 0.40])
+def test_a_bottle_with_a_long_neck_is_taken_by_its_belly(model, gripper, shoulder):
+    bottle = standing(foreign.bottle(0.032, 0.22, shoulder), f"long neck {shoulder}")
+
+    usual = any_grasp_table(bottle, model, "left", 0.0, 0.1, HEIGHTS, 0.0)
+    every = any_grasp_table(bottle, model, "left", 0.0, 0.1, every_height([gripper]), 0.0)
+
+    level = every.world_T_tcp[np.abs(every.world_T_tcp[:, 2, 0]) < 0.05]
+    foot_m = bottle.world_T_object[2, 3] - 0.11
+    assert len(usual) == 0
+    assert len(level) > 0
+    assert no_grasp_reason(bottle, model, "left") is None
+    assert level[:, 2, 3].min() > foot_m + gripper.side_gap_m - 1e-6
+    assert level[:, 2, 3].max() < bottle.world_T_object[2, 3] - 0.02
+
+
+def test_only_fingers_that_close_on_a_palm_look_for_a_belly(gripper):
+    usual = load_description("talos").grippers["left"]
+
+    assert every_height([usual]) == HEIGHTS
+    assert every_height([usual, gripper])[: len(HEIGHTS)] == HEIGHTS
+    assert min(every_height([gripper])) < 0.0
 
 
 def test_a_mug_whose_handle_does_not_go_into_the_hand_is_refused_in_words(model, wide_mug):

@@ -115,7 +115,7 @@ def test_a_low_cup_is_grasped_with_less_room_before_it_is_given_up(talos, stance
 
     assert isinstance(plan(talos, stance, scene), PickPlan)
     monkeypatch.setattr("kinematics.planning.pick_planner.LEAST_RESERVE_M", PLANNING_RESERVE_M)
-    monkeypatch.setattr("kinematics.planning.pick_planner.OTHER_HEIGHTS", ())
+    monkeypatch.setattr("kinematics.planning.pick_planner.every_height", lambda _: (ABOVE_MIDDLE,))
     assert isinstance(plan(talos, stance, scene), NoPlan)
 
 

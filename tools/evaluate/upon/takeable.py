@@ -19,8 +19,8 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from kinematics.model.robot_description import Hand
 from kinematics.model.robot_model import RobotModel
-from kinematics.planning.grasps import ABOVE_MIDDLE, NEAR_TOP, OTHER_HEIGHTS
-from kinematics.planning.grasps_of_shapes import any_grasp_table
+from kinematics.planning.grasps import ABOVE_MIDDLE, NEAR_TOP
+from kinematics.planning.grasps_of_shapes import any_grasp_table, every_height
 from kinematics.planning.pick_task import APPROACH_M
 from kinematics.scene.planning_scene import PlanningScene, SceneObject, floor
 from kinematics.scene.support_of import TOUCHING_M, support_of
@@ -83,7 +83,7 @@ class Hands:
         judge = hand_judge(self.model, hand, scene, target, 0.0)
         advance_m = self.model.description.grippers[hand].closing_advance_m
         ways = (advance_m, 0.0, -0.5 * APPROACH_M, -APPROACH_M)
-        for heights in ((ABOVE_MIDDLE,), (ABOVE_MIDDLE, *OTHER_HEIGHTS)):
+        for heights in ((ABOVE_MIDDLE,), every_height([self.model.description.grippers[hand]])):
             table = any_grasp_table(scene.objects[target], self.model, hand, 0.0, APPROACH_M, heights, 0.0)
             if len(table) and (free := judge.fits_along(table.world_T_tcp, ways)).any():
                 return table.world_T_tcp[free]

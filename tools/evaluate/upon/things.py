@@ -19,6 +19,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.scenes.scene_description import Furniture, RobotStart, SceneItem
 from robots.scenes.scene_file import load_scene
+from robots.scenes.scene_rules import START_REACH_M
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders
@@ -31,6 +32,8 @@ _APART_M = 0.05
 """Left free between what holds two things."""
 _LARGEST_M = 0.16
 """What reaches farther from its middle than this leaves no room for others."""
+_TALL_M, _HANDS_M = 0.2, 0.2
+"""What is taller than the first stands so much farther ahead: hands begin over the edge of a table."""
 _DRAWS = 40
 _START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
 
@@ -152,7 +155,8 @@ def _placed(
         place = rooms.spot(rng, table, (), where=where)
         if place is None:
             return None
-        free = all(
+        before_m = START_REACH_M[1] + (_HANDS_M if item.shape.height_m > _TALL_M else 0.0)
+        free = place[0] - _radius_m(item) > before_m and all(
             math.dist(place, other.world_T_object[:2, 3]) > _radius_m(item) + _radius_m(other) + _APART_M
             for other in others
         )

@@ -40,7 +40,7 @@ SKILL = Skill(
     task=FollowTask,
     tree=_tree,
     example="follow Ana",
-    needs=frozenset({Need.LEGS, Need.EYES, Need.EYES_IN_WALKS}),
+    needs=frozenset({Need.LEGS, Need.EYES}),
     before=frozenset({Before.SOURCE_IN_VIEW}),
     goes_away=True,
 )

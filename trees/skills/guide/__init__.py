@@ -40,7 +40,7 @@ SKILL = Skill(
     task=GuideTask,
     tree=_tree,
     example="guide Ana to the kitchen",
-    needs=frozenset({Need.LEGS, Need.EYES, Need.EYES_IN_WALKS}),
+    needs=frozenset({Need.LEGS, Need.EYES}),
     before=frozenset({Before.SOURCE_IN_VIEW}),
     goes_away=True,
 )

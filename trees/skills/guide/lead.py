@@ -32,8 +32,10 @@ _THERE_M = 0.15
 _BEHIND_M = 1.2
 """Who comes along is expected so far back on the way."""
 _ROUND_RAD = 1.9
-"""Between two headings of a look all round; less than the head sees from one."""
-_TURNS = 3
+"""Between two headings of a look all round; less than a head that turns sees from one."""
+_OVERLAP = 0.85
+"""The same of eyes that stay as they are, as a share of what they see."""
+_ALL_ROUND_RAD = 2.0 * math.pi - _ROUND_RAD
 _GLANCE_S = 1.0
 """A head that stands still for so long has seen who is there."""
 
@@ -76,6 +78,10 @@ class Lead(WalkingLeaf):
         self._trail: list[PlanarPose] = [body]
         self._walked_m = self._since_look_m = 0.0
         self._looks = self._turns = 0
+        camera = toolbox.model.description.camera
+        fixed = camera.neck is None
+        self._pan_rad = 0.0 if fixed else self._settings.pan_rad
+        self._round_rad = _OVERLAP * camera.horizontal_fov_rad if fixed else _ROUND_RAD
         self._waited_from_s = self._stood_s = 0.0
 
     @property
@@ -149,12 +155,12 @@ class Lead(WalkingLeaf):
         self._turn(body, math.atan2(seen.y_m, seen.x_m))
 
     def _turn(self, body: PlanarPose, bearing_rad: float) -> None:
-        """Turn by what the head does not."""
+        """Turn by what the head does not; without a neck that is all of it."""
         settings = self.toolbox.model.description.walking
         if settings is None:
             return
         self._expected_rad = wrapped(body.yaw_rad + bearing_rad)
-        turn_rad = math.copysign(max(abs(bearing_rad) - self._settings.pan_rad, 0.0), bearing_rad)
+        turn_rad = math.copysign(max(abs(bearing_rad) - self._pan_rad, 0.0), bearing_rad)
         goal = body @ PlanarPose(yaw_rad=turn_rad)
         self._steering = PathSteering(settings, (PlanarPose(body.x_m, body.y_m, body.yaw_rad), goal))
         self._walk(self._gazing(body))
@@ -184,9 +190,9 @@ class Lead(WalkingLeaf):
         name = self._watch.track.name
         self.feedback_message = f"waiting for {name}"
         glanced = self.elapsed_s - self._stood_s >= _GLANCE_S
-        if not in_view and glanced and self._turns < _TURNS:
+        if not in_view and glanced and self._turns * self._round_rad < _ALL_ROUND_RAD:
             self._turns += 1
-            self._turn(body, wrapped(self._expected_rad + _ROUND_RAD - body.yaw_rad))
+            self._turn(body, wrapped(self._expected_rad + self._round_rad - body.yaw_rad))
             return RUNNING
         if waited_s <= self._settings.waits_s:
             return RUNNING
