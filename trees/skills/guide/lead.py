@@ -35,6 +35,8 @@ _ROUND_RAD = 1.9
 """Between two headings of a look all round; less than a head that turns sees from one."""
 _OVERLAP = 0.85
 """The same of eyes that stay as they are, as a share of what they see."""
+_INSIDE = 0.35
+"""Such eyes keep somebody in view who is no farther to a side than that share."""
 _ALL_ROUND_RAD = 2.0 * math.pi - _ROUND_RAD
 _GLANCE_S = 1.0
 """A head that stands still for so long has seen who is there."""
@@ -82,6 +84,7 @@ class Lead(WalkingLeaf):
         fixed = camera.neck is None
         self._pan_rad = 0.0 if fixed else self._settings.pan_rad
         self._round_rad = _OVERLAP * camera.horizontal_fov_rad if fixed else _ROUND_RAD
+        self._aside_rad = _INSIDE * camera.horizontal_fov_rad if fixed else math.inf
         self._waited_from_s = self._stood_s = 0.0
 
     @property
@@ -171,7 +174,12 @@ class Lead(WalkingLeaf):
         track, now_s = self._watch.track, self.toolbox.clock.now_s()
         away_m = math.dist((track.x_m, track.y_m), (body.x_m, body.y_m))
         in_view = now_s - track.seen_s <= self._settings.seen_s
-        if in_view and away_m <= self._settings.near_m:
+        bearing_rad = self._watch.gaze_rad(body)[0]
+        faced = abs(bearing_rad) <= self._aside_rad
+        if in_view and not faced and self._handle is None:
+            self._turn(body, bearing_rad)
+            return RUNNING
+        if in_view and faced and away_m <= self._settings.near_m:
             if body.distance_m(self._goal) >= 2.0 * _THERE_M:
                 self._doing, self._since_look_m, self._planned_s = "leading", 0.0, -math.inf
                 self._stretch = None
