@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from py_trees.common import Status
 
+from kinematics.model.robot_model import RobotModel
 from robots.fake.fake_world import person
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.destination import Place, place_of_region
@@ -23,10 +24,17 @@ TASK = GuideTask("guide Ana to the kitchen", "Ana", to="kitchen")
 class Walk:
     """The fake robot leads Ana, whom its camera sees only when she is not behind it."""
 
-    def __init__(self, stage):
+    def __init__(self, stage, sees_rad=1.6, neck=True):
         self.stage = stage
         self.comes = True
+        self.sees_rad = sees_rad
         toolbox = replace(stage.toolbox, policy=replace(stage.toolbox.policy, skills=(QUICK,)))
+        if not neck:
+            description = toolbox.model.description
+            stiff = replace(
+                description.camera, pan_joint=None, tilt_joint=None, horizontal_fov_rad=2.0 * sees_rad
+            )
+            toolbox = replace(toolbox, model=RobotModel(replace(description, head_camera=stiff)))
         ana = person("Ana", (-1.0, 0.0))
         stage.fake.world.put(ana)
         self.leaf = Lead("lead", toolbox)
@@ -50,7 +58,7 @@ class Walk:
         world, feet = self.stage.fake.world, self.feet
         x, y = world.object("Ana").world_T_object[:2, 3]
         bearing = math.remainder(math.atan2(y - feet.y_m, x - feet.x_m) - feet.yaw_rad, math.tau)
-        (world.hidden.discard if abs(bearing) < 1.6 else world.hidden.add)("Ana")
+        (world.hidden.discard if abs(bearing) < self.sees_rad else world.hidden.add)("Ana")
         if self.comes and (too_far := self.apart_m - 1.2) > 0.0:
             towards = (feet.x_m - x) / self.apart_m, (feet.y_m - y) / self.apart_m
             world.move("Ana", (min(too_far, 0.3) * towards[0], min(too_far, 0.3) * towards[1], 0.0))
@@ -78,6 +86,18 @@ def test_it_arrives_with_the_person(walk):
     assert status is Status.SUCCESS, walk.leaf.failure
     assert KITCHEN.contains(walk.feet.x_m, walk.feet.y_m)
     assert walk.apart_m <= QUICK.near_m
+
+
+def test_without_a_neck_it_turns_to_the_person_and_arrives_with_them(stage_with):
+    walk = Walk(stage_with(person("Ana", (-1.0, 0.0)), walks=True), sees_rad=0.6, neck=False)
+
+    status = walk.till_the_end()
+
+    x, y = walk.stage.fake.world.object("Ana").world_T_object[:2, 3]
+    to_ana = math.atan2(y - walk.feet.y_m, x - walk.feet.x_m)
+    assert status is Status.SUCCESS, walk.leaf.failure
+    assert abs(math.remainder(to_ana - walk.feet.yaw_rad, math.tau)) < 0.45
+    assert walk.stage.output("evidence")["looks"] >= 3
 
 
 def test_it_looks_round_after_each_stretch(walk):
