@@ -12,7 +12,14 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.errors import SceneError
 from robots.outside import known_scenes
-from robots.scenes.scene_description import PerceptionModel, Person, RobotStart, SceneDescription, SceneItem
+from robots.scenes.scene_description import (
+    PerceptionModel,
+    Person,
+    RobotStart,
+    SceneDescription,
+    SceneItem,
+    spoken_words,
+)
 from robots.scenes.scene_file import load_scene, read_scene
 from robots.scenes.scene_rules import validate
 from robots.scenes.scene_writer import dump
@@ -215,6 +222,23 @@ def test_two_tables_in_one_place_are_refused():
         TABLE + TABLE.replace('name = "table"', 'name = "desk"').replace("[0.65, 0.0]", "[0.9, 0.3]")
     )
     assert error.key == "furniture[1].position_m"
+
+
+def test_furniture_has_names_and_sorts_and_keeps_them_when_it_is_written():
+    scene = read(TABLE + 'names = ["sideboard", "credenza"]\ncategories = ["antiques"]\n')
+    (piece,) = scene.furniture
+
+    assert (piece.names, piece.categories) == (("sideboard", "credenza"), ("antiques",))
+    assert read(dump(scene)).furniture == (piece,)
+    assert {"sideboard", "credenza", "antiques"} <= spoken_words(scene)
+
+
+@pytest.mark.parametrize("key", ["names", "categories"])
+def test_a_name_of_furniture_that_nobody_says_is_refused(key):
+    error = refused(TABLE + f'{key} = ["desk", "{"x" * 200}"]\n')
+
+    assert error.key == f"furniture[0].{key}"
+    assert "200" in error.reason
 
 
 @pytest.mark.parametrize(("name", "told"), [("fridge", "fridge"), ("top shelf", "shelf")])

@@ -84,12 +84,12 @@ class FindContainer(LookAround):
 
     def _where_it_was(self, to: Destination) -> Place | None:
         """The object that is meant, as it is believed to stand there still; None of furniture."""
-        around, objects = self.around(), self.toolbox.world.scene.objects
-        meant = ground(to, around) if isinstance(to, ObjectDescription) else None
-        item = objects[meant.names[0]] if isinstance(meant, Found) else None
-        if item is None or not item.movable:
-            return None
-        return Place(item.name, "object", item.shape, item.world_T_object, _BELIEVED)
+        match ground(to, self.around()) if isinstance(to, ObjectDescription) else None:
+            case Found((name, *_)):
+                item = self.toolbox.world.scene.objects[name]
+                return Place(name, "object", item.shape, item.world_T_object, _BELIEVED)
+            case _:
+                return None
 
     def _spots_in(self, held: HeldObject, place: Place) -> tuple[Spot, ...] | Failure:
         if place.category == "object":

@@ -112,6 +112,26 @@ def test_by_another_name_it_is_one_place_to_walk_to_and_to_put_things_on():
     assert isinstance(resolve(ObjectDescription("dresser"), update.seen, around), Failure)
 
 
+@pytest.mark.parametrize(("said", "asks"), [("table", True), ("sideboard", False), ("side table", False)])
+def test_what_is_put_back_where_it_stands_is_no_doubt_where_that_is_said_by_name(said, asks):
+    (top,) = furniture_named("sideboard", sideboard().scene)[:1]
+    alone = PlanningScene().with_objects([top])
+    around = surroundings(alone, np.eye(4), GAP_M)
+
+    failure = why_not_there(said, None, alone, around, GAP_M, leaves=top.name)
+
+    assert (failure is not None) is asks
+
+
+def test_the_right_one_of_what_is_called_so_is_furniture():
+    update = sideboard()
+    around = surroundings(update.scene, np.eye(4), GAP_M)
+
+    found = resolve(ObjectDescription("sideboard", ordinal="rightmost"), update.seen, around)
+
+    assert found.name == "side table"
+
+
 def test_a_cup_on_it_is_on_what_it_is_called_besides():
     known = sideboard().scene.with_objects([*sideboard().scene.objects.values(), cup_on(-1.0)])
     around = surroundings(known, np.eye(4), GAP_M)

@@ -1,5 +1,7 @@
 """Which of several doors and drawers of recognised pieces a task means, and what has none."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from py_trees.common import Status
@@ -52,6 +54,28 @@ def parts(task, look):
 )
 def test_nouns_places_and_pieces_mean_parts(kind, more, meant):
     assert parts(said(kind, **more), {**seen(CABINET), **_numbered(seen(MICROWAVE))}) == meant
+
+
+@pytest.mark.parametrize(
+    ("noun", "relation", "count"),
+    [("credenza", None, 3), ("drawer", "credenza", 3), ("credenza drawer", None, 3), ("dresser", None, 0)],
+)
+def test_a_piece_is_meant_by_what_it_is_called_besides(noun, relation, count):
+    look = {
+        name: replace(one, moves=replace(one.moves, names=("Credenza",)))
+        for name, one in seen(CABINET).items()
+    }
+    of = None if relation is None else Relation("in", relation)
+
+    assert len(those_meant(said(noun, relation=of), handles_in(look), ())) == count
+
+
+def test_a_door_without_a_model_is_meant_by_what_its_fridge_is_called_besides():
+    door = {name: replace(one, moves=None) for name, one in seen(MICROWAVE).items()}
+    known = {"fridge": {"larder"}, "table": {"desk"}}
+
+    assert those_meant(said("larder"), handles_in(door), (), known)
+    assert not those_meant(said("desk"), handles_in(door), (), known)
 
 
 def _numbered(look):

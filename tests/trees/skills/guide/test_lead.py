@@ -28,6 +28,7 @@ class Walk:
         self.stage = stage
         self.comes = True
         self.sees_rad = sees_rad
+        self.neck = neck
         toolbox = replace(stage.toolbox, policy=replace(stage.toolbox.policy, skills=(QUICK,)))
         if not neck:
             description = toolbox.model.description
@@ -58,7 +59,10 @@ class Walk:
         world, feet = self.stage.fake.world, self.feet
         x, y = world.object("Ana").world_T_object[:2, 3]
         bearing = math.remainder(math.atan2(y - feet.y_m, x - feet.x_m) - feet.yaw_rad, math.tau)
-        (world.hidden.discard if abs(bearing) < self.sees_rad else world.hidden.add)("Ana")
+        # a body that steps sways: what is at the edge of stiff eyes is not in view any more when it stands
+        steady = self.neck or self.stage.fake.walking.active
+        sees_rad = self.sees_rad if steady else 0.75 * self.sees_rad
+        (world.hidden.discard if abs(bearing) < sees_rad else world.hidden.add)("Ana")
         if self.comes and (too_far := self.apart_m - 1.2) > 0.0:
             towards = (feet.x_m - x) / self.apart_m, (feet.y_m - y) / self.apart_m
             world.move("Ana", (min(too_far, 0.3) * towards[0], min(too_far, 0.3) * towards[1], 0.0))
@@ -89,14 +93,14 @@ def test_it_arrives_with_the_person(walk):
 
 
 def test_without_a_neck_it_turns_to_the_person_and_arrives_with_them(stage_with):
-    walk = Walk(stage_with(person("Ana", (-1.0, 0.0)), walks=True), sees_rad=0.6, neck=False)
+    walk = Walk(stage_with(person("Ana", (-1.0, 0.0)), walks=True), sees_rad=1.5, neck=False)
 
     status = walk.till_the_end()
 
     x, y = walk.stage.fake.world.object("Ana").world_T_object[:2, 3]
     to_ana = math.atan2(y - walk.feet.y_m, x - walk.feet.x_m)
     assert status is Status.SUCCESS, walk.leaf.failure
-    assert abs(math.remainder(to_ana - walk.feet.yaw_rad, math.tau)) < 0.45
+    assert abs(math.remainder(to_ana - walk.feet.yaw_rad, math.tau)) < 1.06
     assert walk.stage.output("evidence")["looks"] >= 3
 
 

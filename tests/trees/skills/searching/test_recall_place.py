@@ -1,9 +1,12 @@
 """What stays where it is can be walked to out of sight, and what the robot put down; other things cannot."""
 
+from dataclasses import replace
+
 import pytest
 from py_trees.common import Status
 
 from kinematics.geometry.poses import translation
+from kinematics.scene.label import Label
 from kinematics.scene.planning_scene import SceneObject
 from robots.fake.fake_world import cup, person, table
 from trees.skills.searching.recall_place import RecallPlace
@@ -33,6 +36,15 @@ def recall(stage):
 )
 def test_people_and_furniture_are_recalled(recall, to, category):
     assert recall(to).category == category
+
+
+def test_furniture_is_recalled_by_what_it_is_called_besides(stage, recall):
+    known = stage.told.scene.objects
+    named = replace(known["table"], label=Label("table", names=("table", "workbench")))
+    stage.told.update(stage.told.scene.with_objects([*known.values(), named]))
+
+    assert recall(ObjectDescription("workbench")).name == "table"
+    assert recall(ObjectDescription("desk")) is None
 
 
 def test_an_object_is_not_recalled(recall):

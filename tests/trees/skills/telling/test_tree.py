@@ -51,6 +51,15 @@ def test_things_are_counted(stage_with):
     assert 0.5 < tree.evidence["confidence"] <= 1.0
 
 
+@pytest.mark.parametrize(("noun", "count"), [("credenza", 1), ("side table", 1), ("dresser", 0)])
+def test_furniture_is_counted_by_what_it_is_called_besides(stage_with, noun, count):
+    stage = stage_with(dataclasses.replace(table("side table/top"), names=("credenza",)))
+
+    tree = run(stage, CountTask(f"how many {noun}s", ObjectDescription(noun)))
+
+    assert tree.evidence["count"] == count
+
+
 def test_what_a_hand_holds_counts_too(stage_with):
     stage = stage_with(table(), cup(), cup("red cup 2", "red", (0.5, 0.1)))
     stage.play(stage.pick(PickTask("pick it up", ObjectDescription("cup", "red", ordinal="leftmost"))))
