@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 from executive.vocabulary.in_a_place import words_of_the_place
@@ -24,6 +24,8 @@ def spoken_in(scene: str | None) -> Iterator[None]:
     from robots.scenes.scene_file import load_scene
 
     place = None if scene is None else load_scene(scene)
-    known = [words(place) for words in (spoken_words, names_of_people, told_fronts)] if place else [()]
+    known: tuple[Iterable[str], ...] = ((),)
+    if place is not None:
+        known = spoken_words(place), names_of_people(place), told_fronts(place.furniture)
     with words_of_the_place(*known):
         yield

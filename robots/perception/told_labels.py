@@ -8,7 +8,7 @@ from robots.scenes.articulated import DOOR, DRAWER, PART_KINDS
 from robots.scenes.furniture import FURNITURE_KINDS
 from robots.scenes.furniture_names import FIXTURE, own_name
 from robots.scenes.moving_parts import moving_parts
-from robots.scenes.scene_description import SceneDescription, spoken_words
+from robots.scenes.scene_description import Furniture, SceneDescription, spoken_words
 from robots.scenes.scene_words import ANY_LABEL, OBJECT_KINDS
 
 
@@ -22,10 +22,10 @@ def fronts_of(called: Iterable[str], kinds: Collection[str]) -> Iterator[str]:
     return (f"{word} {kind}" for word in called for kind in kinds if kind in (DOOR, DRAWER))
 
 
-def told_fronts(scene: SceneDescription) -> frozenset[str]:
-    """The doors and drawers of a scene that are told apart by the piece that they are of."""
+def told_fronts(pieces: Iterable[Furniture]) -> frozenset[str]:
+    """The doors and drawers of furniture that are told apart by the piece that they are of."""
     told: set[str] = set()
-    for piece in scene.furniture:
+    for piece in pieces:
         called = (own_name(piece.name, piece.kind) or piece.kind, *piece.names)
         told.update(fronts_of(called, {solid.kind for part in moving_parts(piece) for solid in part.solids}))
     return frozenset(word.casefold() for word in told)

@@ -116,7 +116,7 @@ def _stub(
     rng: np.random.Generator,
 ) -> PerceptionStub:
     """The stub for the robot's own camera, and one for each that stands in the room."""
-    fronts = told_fronts(scene)
+    fronts = told_fronts(scene.furniture)
     own = PerceptionStub(world.truth, robot.description.camera, scene.perception, clock, rng, fronts)
     own.cameras = tuple(
         PerceptionStub(

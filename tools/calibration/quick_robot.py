@@ -71,7 +71,12 @@ class QuickRobot:
         self._fake = fake
         camera = model.description.camera
         self._eyes = PerceptionStub(
-            self.world.truth, camera, scene.perception, fake.clock, chance.perception, told_fronts(scene)
+            self.world.truth,
+            camera,
+            scene.perception,
+            fake.clock,
+            chance.perception,
+            told_fronts(scene.furniture),
         )
         self.toolbox = Toolbox(
             clock=fake.clock,

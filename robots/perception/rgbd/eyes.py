@@ -134,7 +134,8 @@ class Eyes:
         # walls go on beyond the picture: where the map has them they are
         self._walls = [solid for piece in known if piece.kind == WALL for solid in on_map(piece)]
         self._cabinets = Cabinets(known)
-        called = (word for piece in known for word in (*piece.names, *piece.categories))
+        pieces = (piece for piece in known if piece.kind != FIXTURE)
+        called = (word for piece in pieces for word in (*piece.names, *piece.categories))
         self._called = frozenset(word.casefold() for word in called)
         able = () if labeller is None or labeller.words is None else sorted(labeller.words)
         self._words = tuple(able if words is None else words)

@@ -26,6 +26,7 @@ from robots.perception.fusion.cameras import calibrated_places
 from robots.perception.labels.labelling import BY_SHAPE, Labelling
 from robots.perception.rgbd.furniture_map import furniture_map
 from robots.perception.told_labels import told_fronts
+from robots.scenes.furniture_names import FIXTURE
 from robots.scenes.scene_description import SceneDescription
 from robots.simulated.body.physics import Physics
 from robots.simulated.camera.feed import Believed, CameraFaults, CameraFeed
@@ -94,7 +95,8 @@ class CameraPerception:
         )
         self._under_way: deque[tuple[CameraFeed, Shot]] = deque()
         self._pipe = _start(self)
-        labels, fronts = self._ask(setup), told_fronts(scene)
+        # a camera sees no fixtures
+        labels, fronts = self._ask(setup), told_fronts(one for one in scene.furniture if one.kind != FIXTURE)
         for feed in self._feeds:
             feed.labels, feed.fronts = labels, fronts
 

@@ -33,7 +33,7 @@ def test_doors_and_drawers_are_told_by_all_that_their_piece_is_called():
     scene = replace(scene, furniture=named)
 
     fronts = {"cabinet drawer", "sideboard drawer", "microwave door"}
-    assert told_fronts(scene) == fronts
+    assert told_fronts(scene.furniture) == fronts
     assert not fronts & labels_in(scene)
     assert {"sideboard", "cabinet", "microwave"} <= labels_in(scene)
 
@@ -56,5 +56,12 @@ def test_a_fridge_of_another_name_has_a_door_by_that_name(larder):
     assert "larder" in eyes.labels
 
 
-def test_a_camera_knows_what_the_map_calls_furniture(larder):
-    assert "larder" in Eyes(larder.furniture).labels
+def test_a_camera_knows_what_the_map_calls_furniture_but_for_what_it_cannot_see(larder):
+    cabinets = [one for one in load_scene("cabinet").furniture if one.kind == "fixture"]
+    fixtures = [replace(one, names=("cooker",)) for one in cabinets]
+
+    labels = Eyes((*larder.furniture, *fixtures)).labels
+
+    assert fixtures
+    assert "larder" in labels
+    assert "cooker" not in labels

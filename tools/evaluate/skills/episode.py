@@ -171,7 +171,7 @@ def _asked(
         with (
             session.events.heard_by(planning.take),
             words_of_the_place(
-                spoken_words(trial.scene), names_of_people(trial.scene), told_fronts(trial.scene)
+                spoken_words(trial.scene), names_of_people(trial.scene), told_fronts(trial.scene.furniture)
             ),
         ):
             results += Requests(session).submit(trial.sentence, on_question=asks).result()
