@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from executive.vocabulary.in_a_place import words_of_the_place
 
+if TYPE_CHECKING:
+    from robots.scenes.scene_description import SceneDescription
+
 
 @contextmanager
-def spoken_in(scene: str | None) -> Iterator[None]:
+def spoken_in(scene: str | SceneDescription | None) -> Iterator[None]:
     """Let what is said within be understood by the names of a scene's things and people, too.
 
     Args:
-        scene: Name of a scene, or path of a scene file; None: nothing is known of the place.
+        scene: It, its name, or the path of its file; None: nothing is known of the place.
 
     Raises:
         SceneError: There is no such scene.
@@ -23,9 +27,10 @@ def spoken_in(scene: str | None) -> Iterator[None]:
     from robots.scenes.scene_description import names_of_people, spoken_words
     from robots.scenes.scene_file import load_scene
 
-    place = None if scene is None else load_scene(scene)
-    known: tuple[Iterable[str], ...] = ((),)
-    if place is not None:
-        known = spoken_words(place), names_of_people(place), told_fronts(place.furniture)
-    with words_of_the_place(*known):
+    if scene is None:
+        known = words_of_the_place(())
+    else:
+        place = load_scene(scene) if isinstance(scene, str) else scene
+        known = words_of_the_place(spoken_words(place), names_of_people(place), told_fronts(place.furniture))
+    with known:
         yield

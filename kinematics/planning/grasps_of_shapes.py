@@ -31,7 +31,7 @@ from kinematics.scene.support_of import half_height_m
 _HALF_TURN = np.array([1.0, -1.0, -1.0])
 _ROLLED_COST = 0.3
 _BELLY_HEIGHTS = (-0.1, -0.18)
-"""What fingers press against a palm is of one width all along them: of a bottle that is its belly."""
+"""Below the middle, where most bottles are of one width over the height of fingers that close on a palm."""
 _USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20), 0.6
 """As of grasps by an outline: an arm comes from its own outer side, and a little from above."""
 

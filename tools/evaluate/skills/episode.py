@@ -15,9 +15,7 @@ from executive.session.planning_jobs import PlanningJobs
 from executive.session.session import Session
 from executive.session.task_result import TaskResult, chain
 from executive.trust import OnQuestion
-from executive.vocabulary.in_a_place import words_of_the_place
-from robots.perception.told_labels import told_fronts
-from robots.scenes.scene_description import names_of_people, spoken_words
+from executive.understanding.spoken_in import spoken_in
 from tools.evaluate.faults import FaultBench, FaultState
 from tools.evaluate.orders import EpisodeOrder, body_for
 from tools.evaluate.phases import PhaseWatch
@@ -170,9 +168,7 @@ def _asked(
         asks: OnQuestion = "fail" if SKILL_SUITES[suite].ends == ANY_END else "first"
         with (
             session.events.heard_by(planning.take),
-            words_of_the_place(
-                spoken_words(trial.scene), names_of_people(trial.scene), told_fronts(trial.scene.furniture)
-            ),
+            spoken_in(trial.scene),
         ):
             results += Requests(session).submit(trial.sentence, on_question=asks).result()
     elif not trial.sentence:

@@ -43,6 +43,8 @@ from trees.tasks import Destination, HandOverTask, ObjectDescription, ObjectOf
 
 # From the top of a person's cylinder down to the middle of the face.
 _FACE_BELOW_TOP_M = 0.13
+# Confidence in what is not in view.
+_BELIEVED = 0.5
 _ANYBODY = ("me", "in_front", "in front", "person", "somebody")
 
 
@@ -178,6 +180,11 @@ def resolve(
 def place_from(name: str, item: ObjectEstimate) -> Place:
     """A sighting as a place."""
     return Place(name, item.category, item.shape, item.odom_T_object, item.confidence)
+
+
+def place_believed(item: SceneObject, category: Category) -> Place:
+    """Where something was when it was last seen, half believed: a person may have gone or moved it."""
+    return Place(item.name, category, item.shape, item.world_T_object, _BELIEVED)
 
 
 def people_first(seen: Mapping[str, ObjectEstimate], around: Surroundings) -> list[str]:

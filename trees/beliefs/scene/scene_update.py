@@ -316,23 +316,27 @@ def _free_name(words: str, taken: set[str]) -> str:
     return name
 
 
+def _label(name: str, estimate: ObjectEstimate) -> Label:
+    """What it is called; furniture is told by its own name, whatever else it is called."""
+    if estimate.category == "object":
+        return estimate.label
+    words = kind_of(name)
+    if estimate.category == "person":
+        return Label(words, traits=estimate.traits)
+    names = (words, *estimate.names) if estimate.names else ()
+    return Label(words, names=names, categories=estimate.categories)
+
+
 def scene_object(name: str, estimate: ObjectEstimate, policy: TreePolicy) -> SceneObject:
     """What was seen, as a planning scene has it."""
     fixed = estimate.category != "object"
-    words = kind_of(name)
-    named = (words, *estimate.names) if estimate.names else ()  # it is told by its own name
-    label = {
-        "object": estimate.label,
-        "person": Label(words, traits=estimate.traits),
-        "furniture": Label(words, names=named, categories=estimate.categories),
-    }
     return SceneObject(
         name=name,
         shape=estimate.shape,
         world_T_object=estimate.odom_T_object,
         margin_m=policy.furniture_margin_m if fixed else policy.object_margin_m,
         movable=not fixed,
-        label=label[estimate.category],
+        label=_label(name, estimate),
         moves=estimate.moves,
     )
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 
 from robots.scenes.scene_description import Region
 from trees.beliefs.grounding.articles import with_article
@@ -86,7 +85,7 @@ def those_meant(
     task: OpenTask | CloseTask,
     items: Sequence[HandleTarget],
     places: Collection[str],
-    known: Mapping[str, Collection[str]] = MappingProxyType({}),
+    known: Mapping[str, Collection[str]],
 ) -> list[HandleTarget]:
     """The doors and drawers of the kind that the noun means, and of the piece that is named.
 

@@ -37,7 +37,6 @@ _OVERLAP = 0.85
 """The same of eyes that stay as they are, as a share of what they see."""
 _INSIDE = 0.35
 """Such eyes keep somebody in view who is no farther to a side than that share."""
-_ALL_ROUND_RAD = 2.0 * math.pi - _ROUND_RAD
 _GLANCE_S = 1.0
 """A head that stands still for so long has seen who is there."""
 
@@ -198,7 +197,7 @@ class Lead(WalkingLeaf):
         name = self._watch.track.name
         self.feedback_message = f"waiting for {name}"
         glanced = self.elapsed_s - self._stood_s >= _GLANCE_S
-        if not in_view and glanced and self._turns * self._round_rad < _ALL_ROUND_RAD:
+        if not in_view and glanced and (self._turns + 1) * self._round_rad < math.tau:
             self._turns += 1
             self._turn(body, wrapped(self._expected_rad + self._round_rad - body.yaw_rad))
             return RUNNING

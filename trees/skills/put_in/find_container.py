@@ -11,7 +11,7 @@ from kinematics.geometry import poses
 from kinematics.requests.place import Spot
 from robots.perception.object_estimate import ObjectEstimate
 from robots.scenes.articulated import DRAWER
-from trees.beliefs.grounding.destination import Place, place_from, resolve
+from trees.beliefs.grounding.destination import Place, place_believed, place_from, resolve
 from trees.beliefs.grounding.furniture_called import is_at, is_of, whole_in
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.openings.drawer_inside import LEAST_OPEN_M, spots_in_drawer
@@ -32,8 +32,6 @@ _DEPTHS_M = (0.08, 0.06, 0.045, 0.03, 0.015, 0.0)
 # Beside the middle, when the middle does not go: a share of the room that is left.
 _ASIDE = (0.0, 0.5, -0.5)
 _HOVER_M = 0.08
-_BELIEVED = 0.5
-"""Confidence in what is not in view: somebody may have moved it."""
 
 
 class FindContainer(LookAround):
@@ -86,8 +84,7 @@ class FindContainer(LookAround):
         """The object that is meant, as it is believed to stand there still; None of furniture."""
         match ground(to, self.around()) if isinstance(to, ObjectDescription) else None:
             case Found((name, *_)):
-                item = self.toolbox.world.scene.objects[name]
-                return Place(name, "object", item.shape, item.world_T_object, _BELIEVED)
+                return place_believed(self.toolbox.world.scene.objects[name], "object")
             case _:
                 return None
 

@@ -9,7 +9,7 @@ from py_trees.common import Status
 from kinematics.geometry.shapes import Box
 from kinematics.scene.planning_scene import SceneObject
 from robots.perception.detector import Category
-from trees.beliefs.grounding.destination import Place, aim_of, words_of
+from trees.beliefs.grounding.destination import Place, aim_of, place_believed, words_of
 from trees.beliefs.grounding.furniture_called import called_so, others_like
 from trees.beliefs.grounding.grounding import Found, ground
 from trees.beliefs.scene.labels import label_of, words_besides
@@ -21,9 +21,6 @@ from trees.nodes.ports import ports
 from trees.readings.odometry import what_is_around
 from trees.tasks import Destination, ObjectDescription
 from trees.toolbox import Toolbox
-
-_CONFIDENCE = 0.5
-"""Of what is out of view: a person may have gone."""
 
 
 class RecallPlace(Leaf):
@@ -74,7 +71,7 @@ class RecallPlace(Leaf):
 
     def recall(self, item: SceneObject, category: Category) -> Status | Failure:
         """Tell the place of what fits."""
-        self._set_output("place", Place(item.name, category, item.shape, item.world_T_object, _CONFIDENCE))
+        self._set_output("place", place_believed(item, category))
         self.feedback_message = f"{item.name} where it was {'put' if category == 'object' else 'seen'}"
         return DONE
 

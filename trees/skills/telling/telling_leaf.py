@@ -103,9 +103,8 @@ class TellingLeaf(Leaf):
             if not called_so(source, around.furniture_words):
                 known = kinds_in(thing.name for thing in around.things)
                 return Failure.postcondition(f"no {source} seen", seen=known).because(Reason.NOT_SEEN)
-            if (
-                shut := why_shut(self.toolbox.world.scene, str(self.called_here(source, around)))
-            ) is not None:
+            called = str(self.called_here(source, around))
+            if (shut := why_shut(self.toolbox.world.scene, called)) is not None:
                 return shut
         people = [thing for thing in around.things if thing.is_person] if wanted.kind == PERSON else None
         at = None if region is not None else source

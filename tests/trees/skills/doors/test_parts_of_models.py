@@ -34,7 +34,7 @@ def said(kind, **more):
 
 
 def parts(task, look):
-    return {one.moves.part for one in those_meant(task, handles_in(look), ())}
+    return {one.moves.part for one in those_meant(task, handles_in(look), (), {})}
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_a_piece_is_meant_by_what_it_is_called_besides(noun, relation, count):
     }
     of = None if relation is None else Relation("in", relation)
 
-    assert len(those_meant(said(noun, relation=of), handles_in(look), ())) == count
+    assert len(those_meant(said(noun, relation=of), handles_in(look), (), {})) == count
 
 
 def test_a_door_without_a_model_is_meant_by_what_its_fridge_is_called_besides():

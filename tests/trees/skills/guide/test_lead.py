@@ -24,7 +24,7 @@ TASK = GuideTask("guide Ana to the kitchen", "Ana", to="kitchen")
 class Walk:
     """The fake robot leads Ana, whom its camera sees only when she is not behind it."""
 
-    def __init__(self, stage, sees_rad=1.6, neck=True):
+    def __init__(self, stage, sees_rad=1.6, neck=True, at_m=(-1.0, 0.0), to=KITCHEN):
         self.stage = stage
         self.comes = True
         self.sees_rad = sees_rad
@@ -36,14 +36,14 @@ class Walk:
                 description.camera, pan_joint=None, tilt_joint=None, horizontal_fov_rad=2.0 * sees_rad
             )
             toolbox = replace(toolbox, model=RobotModel(replace(description, head_camera=stiff)))
-        ana = person("Ana", (-1.0, 0.0))
+        ana = person("Ana", at_m)
         stage.fake.world.put(ana)
         self.leaf = Lead("lead", toolbox)
         stage.ready(
             self.leaf,
             task=TASK,
             place=Place("Ana", "person", ana.shape, ana.world_T_object, 0.9),
-            destination=place_of_region("kitchen", KITCHEN),
+            destination=place_of_region("kitchen", to),
         )
 
     @property
@@ -102,6 +102,17 @@ def test_without_a_neck_it_turns_to_the_person_and_arrives_with_them(stage_with)
     assert status is Status.SUCCESS, walk.leaf.failure
     assert abs(math.remainder(to_ana - walk.feet.yaw_rad, math.tau)) < 1.06
     assert walk.stage.output("evidence")["looks"] >= 3
+
+
+def test_without_a_neck_it_turns_to_who_is_at_the_edge_of_its_view(stage_with):
+    edge = 1.2 * math.cos(1.1), 1.2 * math.sin(1.1)
+    here = Region("kitchen", (0.0, 0.0), (4.0, 4.0))
+    walk = Walk(stage_with(person("Ana", edge), walks=True), sees_rad=1.5, neck=False, at_m=edge, to=here)
+
+    status = walk.till_the_end()
+
+    assert status is Status.SUCCESS, walk.leaf.failure
+    assert 0.2 < walk.feet.yaw_rad < 1.3
 
 
 def test_it_looks_round_after_each_stretch(walk):
