@@ -33,7 +33,7 @@ def convex_parts(vertices: Array, faces: NDArray[np.int32], seed: int = 0) -> li
     trimesh = library("trimesh")
     mesh = trimesh.Trimesh(vertices, faces, process=True)
     hull = mesh.convex_hull
-    bodies = mesh.split(only_watertight=False) if mesh.body_count <= MOST_PARTS else ()
+    bodies = mesh.split(only_watertight=False, repair=False) if mesh.body_count <= MOST_PARTS else ()
     if len(bodies) and all(_is_convex(body) for body in bodies):
         hulls = [of_few_corners(np.asarray(body.vertices)) for body in bodies]
         return sorted(hulls, key=lambda one: -volume(one))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from robots.scenes.importing.seen_color import Surface, on_picture, seen_surface
 ENDINGS = (".obj", ".stl", ".glb", ".gltf", ".ply", ".msh")
 MOST_FACES = 2_000_000
 _SHEET = 1e-9
+_WHITE = (255, 255, 255)
+"""Of a material that says nothing, as in glTF."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +60,9 @@ def read_mesh(file: Path) -> Mesh:
         raise CannotImportError(f"{file}: cannot be read: {absent.strerror}") from absent
     trimesh = library("trimesh")
     try:
-        found = _triangles(trimesh, file)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of pictures with nothing on them
+            found = _triangles(trimesh, file)
     except Exception as broken:
         raise CannotImportError(f"{file}: cannot be read as a mesh: {broken}") from broken
     faces = np.asarray(getattr(found, "faces", ()), np.int32)
@@ -91,17 +96,38 @@ def _triangles(trimesh: Any, file: Path) -> Any:
 
 def _face_colors(visual: Any) -> Array:
     """Of each triangle, or of all of them, red, green and blue in [0, 1]."""
+    if _is_plain(visual):
+        return np.array(_main_color(visual))
     plain = visual.to_color() if hasattr(visual, "to_color") else visual
     return np.asarray(plain.face_colors, np.float64)[:, :3] / 255.0
 
 
+def _is_plain(visual: Any) -> bool:
+    """Whether a material without a picture is all that is said."""
+    return getattr(visual, "material", None) is not None and (visual.uv is None or _image(visual) is None)
+
+
+def _image(visual: Any) -> Any:
+    material = visual.material
+    return getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
+
+
+def _main_color(visual: Any) -> tuple[float, float, float]:
+    if _is_plain(visual):
+        said = visual.material.main_color
+        color = np.asarray(_WHITE if said is None else said, np.float64)[:3] / 255.0
+        if hasattr(visual.material, "baseColorFactor"):  # glTF says how much light comes back
+            color = np.where(color <= 0.0031308, 12.92 * color, 1.055 * color ** (1.0 / 2.4) - 0.055)
+    else:
+        plain = visual.to_color() if hasattr(visual, "to_color") else visual
+        color = np.asarray(plain.main_color, np.float64)[:3] / 255.0
+    red, green, blue = color.tolist()
+    return red, green, blue
+
+
 def _looks(visual: Any) -> tuple[Array | None, bytes, tuple[float, float, float]]:
     """Where each vertex is on the picture, the picture, and the colour without one."""
-    color = np.array(visual.to_color().main_color if hasattr(visual, "to_color") else visual.main_color)
-    red, green, blue = (color[:3] / 255.0).tolist()
-    material = getattr(visual, "material", None)
-    uv = getattr(visual, "uv", None)
-    image = getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
-    if uv is None or image is None:
-        return None, b"", (red, green, blue)
-    return np.asarray(uv, np.float64), small_png(image), (red, green, blue)
+    color = _main_color(visual)
+    if getattr(visual, "material", None) is None or _is_plain(visual):
+        return None, b"", color
+    return np.asarray(visual.uv, np.float64), small_png(_image(visual)), color

@@ -17,6 +17,8 @@ from kinematics.geometry.poses import Transform
 from robots.simulated.importing.mending import compiled
 
 WORLD = 0
+_UNSAID = (0.5, 0.5, 0.5, 1.0)
+"""Red, green, blue and how solid the simulator draws what has no colour."""
 _AROUND = 20
 _STORIES = 8
 _SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
@@ -32,12 +34,14 @@ class Foreign:
         model, data: MuJoCo's.
         file: Where it is from.
         mends: What had to be mended before it could be compiled.
+        are_drawn: Its solids are what their meshes show, not the hulls of these.
     """
 
     model: Any
     data: Any
     file: Path
     mends: tuple[str, ...] = ()
+    are_drawn: bool = False
 
     def name(self, body: int) -> str:
         """A body's name; of one without, its number."""
@@ -113,6 +117,11 @@ class Foreign:
         vertices = _mesh_vertices(self.model, mesh) @ rotation.T + self.data.geom_xpos[geom]
         return vertices, np.asarray(self.model.mesh_face[first : first + count], np.int64)
 
+    def says_color(self, geom: int) -> bool:
+        """Whether the file says one, of it or of its material."""
+        plain = bool(np.allclose(self.model.geom_rgba[geom], _UNSAID))
+        return int(self.model.geom_matid[geom]) >= 0 or not plain
+
     def color(self, geom: int) -> tuple[float, float, float]:
         """Red, green, blue in [0, 1]; of what has a picture, what it is multiplied by."""
         material = int(self.model.geom_matid[geom])
@@ -127,12 +136,13 @@ def read_foreign(file: Path) -> Foreign:
     Raises:
         CannotImportError: It cannot be read, or the simulator refuses it; with its reason.
     """
-    model, mends = compiled(file)
+    made = compiled(file)
+    model = made.model
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
     mujoco.mj_kinematics(model, data)
-    return Foreign(model, data, file, mends)
+    return Foreign(model, data, file, made.mends, made.are_drawn)
 
 
 def label_of_body(name: str, fixed: bool = False) -> str:

@@ -13,7 +13,7 @@ from kinematics.formats.solid_document import MAX_PARTS
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import Transform
-from robots.scenes.importing.convex import of_few_corners, surface_of, volume
+from robots.scenes.importing.convex import convex_parts, of_few_corners, surface_of, volume
 from robots.scenes.importing.extra import library
 from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import rests_of
@@ -54,11 +54,13 @@ def foreign_object(
         key: Of its parts; a digest of them when left out.
     """
     stands = np.eye(3) if upright is None else upright
-    clouds = [foreign.corners(geom) @ stands.T for geom in foreign.solid_geoms(bodies)]
-    solid = [of_few_corners(cloud) for cloud in clouds if _is_solid(cloud)]
+    geoms = foreign.solid_geoms(bodies)
+    found = [_hulls(foreign, geom, stands) for geom in geoms]
+    solid = [hull for hulls in found for hull in hulls]
+    flat = sum(not hulls for hulls in found)
     if not solid:
-        every = np.concatenate(clouds)
-        solid = [_box_about(every)]
+        every = np.concatenate([foreign.corners(geom) @ stands.T for geom in geoms])
+        solid, flat = [_box_about(every)], len(geoms) - 1
     hulls = sorted(solid, key=lambda hull: -volume(hull))[:MAX_PARTS]
     turn = turn_of(np.concatenate(hulls))
     about = poses.rotation_z(turn)
@@ -88,8 +90,21 @@ def foreign_object(
         seen.picture,
         seen.surface.mean if seen.surface.areas.any() else GREY,
     )
+    says = seen.picture or any(foreign.says_color(geom) for geom in foreign.geoms(bodies, False) or geoms)
+    color = said_color(seen.surface) if says else None
     place = poses.transform(to_own.T, to_own.T @ fit.centre)
-    return ForeignObject(model, place, said_color(seen.surface), len(clouds) - len(hulls))
+    return ForeignObject(model, place, color, flat + len(solid) - len(hulls))
+
+
+def _hulls(foreign: Foreign, geom: int, stands: Array) -> list[Array]:
+    """Corners of the convex parts of a solid; none where it is flat."""
+    cloud = foreign.corners(geom) @ stands.T
+    if not _is_solid(cloud):
+        return []
+    vertices, faces = foreign.triangles(geom)
+    if foreign.are_drawn and len(faces):
+        return convex_parts(vertices @ stands.T, faces.astype(np.int32))
+    return [of_few_corners(cloud)]
 
 
 def _box_about(corners: Array) -> Array:

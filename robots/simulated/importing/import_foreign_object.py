@@ -8,19 +8,27 @@ from typing import Any
 
 import numpy as np
 
+from kinematics.geometry.convex_parts import ConvexParts
 from robots.errors import CannotImportError
-from robots.scenes.importing.convex import of_few_corners
-from robots.scenes.importing.import_object import Imported, label_of
+from robots.scenes.importing.convex import of_few_corners, volume
+from robots.scenes.importing.import_object import (
+    DENSITY_KG_M3,
+    HEAVIEST_KG,
+    LIGHTEST_KG,
+    Imported,
+    label_of,
+)
 from robots.scenes.importing.resting import guessed_up
 from robots.scenes.importing.seen_color import share_of_seen
 from robots.scenes.meshes.object_model import digest_of, model_file, model_key, write_model
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
-from robots.simulated.importing.bodies import WORLD, read_foreign
+from robots.simulated.importing.bodies import WORLD, Foreign, read_foreign
 from robots.simulated.importing.foreign_object import foreign_object
 
 ENDINGS = (".xml", ".urdf", ".mjcf")
-_LIGHTEST_KG = 0.02
+_UNSAID_KG = 2e-4
+"""What weighs so little for each of its bodies was made so that the simulator takes it."""
 
 
 def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> Imported:
@@ -36,6 +44,8 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
     """
     foreign = read_foreign(file)
     bodies = foreign.subtree(WORLD)[1:]
+    if not foreign.solid_geoms(bodies):
+        bodies = [WORLD]  # written to be put into a body of somebody else's
     geoms = foreign.solid_geoms(bodies)
     if not geoms:
         raise CannotImportError(f"{file}: has no solid")
@@ -46,11 +56,11 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
     corners = of_few_corners(np.concatenate([foreign.corners(geom) for geom in geoms]))
     guess, why = guessed_up(corners, corners.mean(axis=0), file.suffix)
     up: Up = _direction(known.get("up", guess))
-    mass = float(foreign.model.body_subtreemass[WORLD])
+    made = foreign_object(foreign, bodies, upright(up), model_key(digest_of(file), 1.0, up, 0.0))
     guesses: dict[str, tuple[Any, str]] = {
         "up": (name_of(guess), why),
         "label": (label_of(file.stem), "the file's name"),
-        "mass_kg": (max(mass, _LIGHTEST_KG), f"it says {mass:.4g}"),
+        "mass_kg": _mass(foreign, made.model.parts),
         "friction": (0.6, "usual"),
     }
     values: dict[str, Any] = {"scale": 1.0}
@@ -60,7 +70,6 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
         if values[key] == value:
             reasons[key] = reason
     values |= {key: known[key] for key in ("names", "categories", "color") if key in known}
-    made = foreign_object(foreign, bodies, upright(up), model_key(digest_of(file), 1.0, up, 0.0))
     if made.color is not None and "color" not in known:
         values["color"], reasons["color"] = made.color[0], share_of_seen(made.color[1])
     outline, parts = made.model.outline, made.model.parts
@@ -79,6 +88,16 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
     except OSError as refused:
         raise CannotImportError(f"{file}: cannot be written beside: {refused.strerror}") from refused
     return Imported(made.model, told, model_file(file), beside)
+
+
+def _mass(foreign: Foreign, parts: ConvexParts) -> tuple[float, str]:
+    """How heavy it is, kg, and why."""
+    said = float(foreign.model.body_subtreemass[WORLD])
+    if said > _UNSAID_KG * foreign.model.nbody:
+        return max(said, LIGHTEST_KG), f"it says {said:.4g}"
+    solid_m3 = sum(volume(corners) for corners in np.split(parts.corners, parts.ends[:-1]))
+    mass_kg = min(max(DENSITY_KG_M3 * solid_m3, LIGHTEST_KG), HEAVIEST_KG)
+    return round(mass_kg, 3), f"it says nothing; {DENSITY_KG_M3:g} kg/m3, {1000 * solid_m3:.2f} litres"
 
 
 def _direction(value: Any) -> Up:

@@ -4,22 +4,38 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import mujoco
 
 from robots.errors import CannotImportError
+from robots.simulated.importing.urdf import LEAST_INERTIA, LEAST_MASS_KG, make_readable
 
 _MOST_MENDS = 40
-_LEAST_MASS_KG, _LEAST_INERTIA = "1e-4", "1e-9"
 _ATTRIBUTE = re.compile(r"unrecognized attribute:\s+'(\w+)'")
 _ELEMENT = re.compile(r"unrecognized element\s+Element '(\w+)'")
 _PICTURES = re.compile(r"(?i)(texture|png|image|cube|file format)")
 
 
-def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
-    """A model of an MJCF or URDF file, and what had to be mended.
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    """A foreign model that the simulator takes.
+
+    Attributes:
+        model: MuJoCo's.
+        mends: What had to be mended.
+        are_drawn: Its solids are what their meshes show (URDF), not the hulls of these (MJCF).
+    """
+
+    model: Any
+    mends: tuple[str, ...]
+    are_drawn: bool
+
+
+def compiled(file: Path) -> Compiled:
+    """A model of an MJCF or URDF file.
 
     Zero masses and inertias are made small ones; of assets of one name the first is taken; attributes that
     nobody knows are left out; pictures that cannot be read are left out.
@@ -37,6 +53,7 @@ def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
     if root.tag not in ("mujoco", "robot"):
         raise CannotImportError(f"{file}: is neither MJCF (<mujoco>) nor URDF (<robot>), but <{root.tag}>")
     mends: list[str] = []
+    meshes: dict[str, bytes] = {}
     if root.tag == "mujoco":
         _include(root, file, file, ())
         for compiler in root.iter("compiler"):
@@ -45,15 +62,18 @@ def compiled(file: Path) -> tuple[Any, tuple[str, ...]]:
             root,
             "compiler",
             balanceinertia="true",
-            boundmass=_LEAST_MASS_KG,
-            boundinertia=_LEAST_INERTIA,
+            boundmass=str(LEAST_MASS_KG),
+            boundinertia=str(LEAST_INERTIA),
         )
         mends += _without_twins(root)
+    else:
+        told, meshes = make_readable(root, file)
+        mends += told
     for _ in range(_MOST_MENDS):
         try:
-            spec = mujoco.MjSpec.from_string(ElementTree.tostring(root, "unicode"))
+            spec = mujoco.MjSpec.from_string(ElementTree.tostring(root, "unicode"), assets=meshes)
             spec.modelfiledir = str(file.absolute().parent)
-            return spec.compile(), tuple(mends)
+            return Compiled(spec.compile(), tuple(mends), root.tag == "robot")
         except ValueError as refused:
             mend = _mended(root, str(refused))
             if mend is None:

@@ -182,3 +182,24 @@ def test_the_outline_of_what_is_no_ball_stands_on_its_foot():
 
     assert not isinstance(outline, Ball)
     assert outline.height_m == pytest.approx(np.ptp(stone[:, 2]), abs=1e-6)
+
+
+def test_a_material_without_a_picture_has_the_colour_of_the_light_that_comes_back(tmp_path):
+    mesh = foreign.carton()
+    material = foreign.trimesh.visual.material.PBRMaterial(baseColorFactor=[0.16, 0.004, 0.24, 1.0])
+    mesh.visual = foreign.trimesh.visual.TextureVisuals(material=material)
+    mesh.export(tmp_path / "block.glb")
+
+    assert import_object(tmp_path / "block.glb").guesses.values["color"] == "purple"
+
+
+def test_several_open_surfaces_in_one_mesh_are_cut_too(tmp_path):
+    sheets = [foreign.trimesh.creation.box((0.05, 0.05, 0.05)) for _ in range(3)]
+    for number, sheet in enumerate(sheets):
+        sheet.update_faces(np.arange(len(sheet.faces)) > 0)
+        sheet.apply_translation((0.0, 0.0, 0.049 * number))
+    foreign.trimesh.util.concatenate(sheets).export(tmp_path / "tower.glb")
+
+    model = import_object(tmp_path / "tower.glb").model
+
+    assert np.ptp(model.parts.corners, axis=0) == pytest.approx([0.05, 0.05, 0.148], abs=4e-3)
