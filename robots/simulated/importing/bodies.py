@@ -23,7 +23,7 @@ _AROUND = 20
 _STORIES = 8
 _SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _GLUED = re.compile(r"(?<=[a-z])(root|link|\d+)+$")
-_ENDINGS = re.compile(r"(_main|_object|_body|_root|_\d+|-\d+)+$")
+_ENDINGS = re.compile(r"([_\s](main|object|body|root|link|\d+)|-\d+)+$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +68,24 @@ class Foreign:
         return int(self.model.jnt_type[joint])
 
     def is_free(self, body: int) -> bool:
-        """Whether it moves on nothing."""
-        free = int(mujoco.mjtJoint.mjJNT_FREE)
-        return any(self.joint_type(joint) == free for joint in self.joints(body))
+        """Whether it moves on nothing: by a free joint, or by slides along all three axes."""
+        free, slide = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
+        kinds = {joint: self.joint_type(joint) for joint in self.joints(body)}
+        axes = [self.model.jnt_axis[joint] for joint, kind in kinds.items() if kind == slide]
+        return free in kinds.values() or (len(axes) >= 3 and np.linalg.matrix_rank(axes) == 3)
+
+    def led(self) -> set[int]:
+        """Bodies that a program moves, by a marker that they are tied to."""
+        tied = (int(mujoco.mjtEq.mjEQ_WELD), int(mujoco.mjtEq.mjEQ_CONNECT))
+        found: set[int] = set()
+        for k in range(self.model.neq):
+            if int(self.model.eq_type[k]) in tied and int(self.model.eq_objtype[k]) == int(
+                mujoco.mjtObj.mjOBJ_BODY
+            ):
+                pair = {int(self.model.eq_obj1id[k]), int(self.model.eq_obj2id[k])}
+                if any(int(self.model.body_mocapid[body]) >= 0 for body in pair):
+                    found |= pair
+        return found
 
     def pose(self, body: int) -> Transform:
         """Of a body in the world, shape (4, 4)."""
@@ -152,10 +167,9 @@ def label_of_body(name: str, fixed: bool = False) -> str:
         name: The body's.
         fixed: It does not move: then "ovenroot" and "oven1" are "oven", where "beetroot" is no beet.
     """
-    said = _ENDINGS.sub("", name)
+    said = _ENDINGS.sub("", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower())
     said = (_GLUED.sub("", said) or said) if fixed else said
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", said)
-    return " ".join(re.sub(r"[_\-./]+", " ", words).split()).lower() or name
+    return " ".join(re.sub(r"[_\-./:]+", " ", said).split()) or name
 
 
 def _local(model: Any, geom: int) -> Array:

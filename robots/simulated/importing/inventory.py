@@ -134,6 +134,8 @@ def _no_thing(foreign: Foreign, bodies: list[int], driven: set[int]) -> str | No
         return "has no solid"
     if any(int(foreign.model.body_mocapid[body]) >= 0 for body in bodies):
         return "is moved by a program: a marker"
+    if foreign.led() & set(bodies):
+        return "is moved by a program, by a marker that it is tied to: it is a robot, or a part of one"
     whole = range(foreign.model.nbody)
     touches = foreign.geoms(bodies, colliding=True) or not foreign.geoms(whole, colliding=True)
     if not touches and not foreign.is_free(bodies[0]):

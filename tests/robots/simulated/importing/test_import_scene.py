@@ -165,6 +165,45 @@ def test_nothing_is_dropped_without_a_word(tmp_path):
     assert all(f'body = "{name}"' in guesses for name in ("cup_1", "lost_ball", "shelf_bracket", "ghost"))
 
 
+def test_what_slides_along_all_three_axes_is_an_object(tmp_path):
+    slides = "".join(
+        f'<joint type="slide" axis="{axis}"/><joint type="hinge" axis="{axis}"/>'
+        for axis in ("1 0 0", "0 1 0", "0 0 1")
+    )
+
+    written = import_scene(
+        scene_of(tmp_path, table() + can("cup_1", 0.9, 0.0).replace("<freejoint/>", slides))
+    )
+
+    assert written.objects == ["cup"]
+
+
+def test_a_robot_without_motors_that_a_marker_leads_is_no_furniture(tmp_path):
+    world = (
+        table()
+        + can("cup_1", 0.9, 0.0)
+        + '<body name="marker" mocap="true" pos="0 2 1"/><body name="arm" pos="0 2 1">'
+        '<geom type="box" size=".1 .1 .1"/><body name="hand" pos="0 0 .2"><joint type="hinge" axis="0 1 0"/>'
+        '<geom type="box" size=".05 .05 .1"/></body></body>'
+    )
+    tied = '<equality><weld body1="marker" body2="hand"/></equality>'
+
+    written = import_scene(scene_of(tmp_path, world, tied))
+
+    assert written.furniture == ["kitchen table"]
+    assert "arm: left out, is moved by a program, by a marker that it is tied to" in "\n".join(written.told)
+
+
+def test_a_urdf_whose_link_has_no_name_of_its_own_is_called_as_its_file(tmp_path):
+    file = tmp_path / "side_table.urdf"
+    file.write_text(
+        """<robot name="t"><link name="baseLink"><collision><origin xyz="0 0 .7"/>
+<geometry><box size=".8 .6 .04"/></geometry></collision></link></robot>"""
+    )
+
+    assert import_scene(file).furniture == ["side table"]
+
+
 def test_what_is_wrong_but_does_not_matter_is_mended_and_told(tmp_path):
     more = (
         '<asset><texture name="t" type="2d" file="none.png"/><texture name="t" type="2d" file="none.png"/>'
@@ -223,6 +262,7 @@ def test_a_urdf_of_one_piece_is_read(tmp_path):
         ("alphabet_soup_1_main", "alphabet soup"),
         ("wooden_cabinet_1", "wooden cabinet"),
         ("BlackBowl", "black bowl"),
+        ("sugar_box_link", "sugar box"),
     ],
 )
 def test_a_body_s_name_is_what_people_call_it(body, label):
