@@ -61,7 +61,7 @@ def import_(
         made = (import_foreign_object if foreign else import_object)(file, said)
         told, of = made.guesses.values, made.guesses.measured
         size = " x ".join(f"{1000.0 * edge:.0f}" for edge in of["size_m"])
-        parts = "1 part" if of["parts"] == 1 else f"{of['parts']} parts"
+        parts = _counted(of["parts"], "part")
         typer.echo(
             f"{file}: {told['label']}, {size} mm, {told['mass_kg']:g} kg, {parts}, nearly a {of['outline']} "
             f"({1000.0 * of['outline_error_m']:.0f} mm)"
@@ -78,8 +78,16 @@ def _import_scenes(files: list[Path], of_objects: list[object]) -> None:
 
     for file in files:
         made = import_scene(file)
-        things = f"{len(made.objects)} objects, {len(made.furniture)} pieces of furniture"
+        things = (
+            f"{_counted(len(made.objects), 'object')}, {_counted(len(made.furniture), 'piece')} of furniture"
+        )
         typer.echo(f"{made.scene}: {things}: {', '.join([*made.objects, *made.furniture])}")
         for line in made.told:
             typer.echo(f"  {line}")
+        for question in made.asked:
+            typer.echo(f"  to be said by you: {question}")
         typer.echo(f"  every guess: {made.guesses}")
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -12,6 +12,8 @@ from robots.errors import CannotImportError
 from robots.simulated.importing.bodies import WORLD, Foreign, label_of_body
 from robots.simulated.importing.openings import Opening, opening_of
 
+_NOTHING = ("object", "base", "body", "root", "main", "world", "link")
+"""Names of bodies that say nothing of what these are."""
 _IN_FLOOR_M = 0.02
 """Feet may reach so far into the floor."""
 
@@ -266,4 +268,4 @@ def _telling_name(foreign: Foreign, root: int) -> str:
 
 
 def _says_something(name: str) -> bool:
-    return bool(name) and label_of_body(name) not in ("object", "base", "body", "root", "main", "world")
+    return bool(name) and label_of_body(name) not in _NOTHING

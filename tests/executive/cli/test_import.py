@@ -36,7 +36,20 @@ def test_a_scene_is_told_with_what_is_in_it(tmp_path):
     answer = said("scene", file)
 
     assert answer.exit_code == ExitCode.DONE
-    assert "1 objects, 1 pieces of furniture: mug, table" in answer.stdout
+    assert "1 object, 1 piece of furniture: mug, table" in answer.stdout
+
+
+def test_what_only_a_person_can_tell_is_asked(tmp_path):
+    file = tmp_path / "mobility.urdf"
+    file.write_text(
+        """<robot name="r"><link name="base"/><link name="link_0"><collision><origin xyz="0 0 .35"/><geometry>
+<box size=".4 .5 .7"/></geometry></collision></link><joint name="j" type="fixed"><parent link="base"/>
+<child link="link_0"/></joint></robot>"""
+    )
+
+    answer = said("scene", file)
+
+    assert "to be said by you: mobility: its name tells nothing: what is it called?" in answer.stdout
 
 
 @pytest.mark.parametrize(
