@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import re
 import xml.etree.ElementTree as ElementTree
 
 import mujoco
@@ -44,6 +45,7 @@ MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
 IMU_SENSORS = {"gyro": mujoco.mjtSensor.mjSENS_GYRO, "accelerometer": mujoco.mjtSensor.mjSENS_ACCELEROMETER}
 """In the order in which they are read."""
 _UNREAD = ".dae"
+_FLAT = re.compile(r"mesh volume is too small: (\S+)")
 """Meshes of this kind MuJoCo does not read."""
 
 
@@ -118,6 +120,23 @@ def _drawing(visual: ElementTree.Element) -> str:
     """The file of a link's drawing; empty for a simple solid."""
     mesh = visual.find("geometry/mesh")
     return "" if mesh is None else mesh.get("filename", "").lower()
+
+
+def compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
+    """The model of a spec; a drawing without a volume, a sheet or an open surface, counts as a shell.
+
+    Raises:
+        ValueError: The simulator refuses it, with its reason.
+    """
+    while True:
+        try:
+            return spec.compile()
+        except ValueError as refused:
+            flat = _FLAT.search(str(refused))
+            mesh = None if flat is None else spec.mesh(flat[1])
+            if mesh is None or mesh.inertia == mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL:
+                raise
+            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
 
 
 def pad_name(link: str) -> str:
