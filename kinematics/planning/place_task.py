@@ -217,6 +217,8 @@ class PlaceTask(PlanningTask):
         down = self._line(up[-1], hover, lowest)
         if down is None:
             return "no straight way down"
+        if not (self.stands(up[-1]) and self.stands(down[-1])):
+            return "too low or too far over"
         gaze = gaze_joints(self._model, down[0], world_T_object[:3, 3])
         points = self.looking(self.rows(down), gaze)
         if not self.planner.is_free(points[0]):

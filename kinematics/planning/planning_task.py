@@ -139,11 +139,11 @@ class PlanningTask:
         """Whether the motors hold configurations, shape (nq,) each, and none is taken for a fall."""
         dynamics, most = self.robot.derived(StandingDynamics), BORNE_SHARE * self._model.effort
         return all(
-            self._stands(q) and bool(np.all(np.abs(dynamics.holding_efforts(q)) <= most))
+            self.stands(q) and bool(np.all(np.abs(dynamics.holding_efforts(q)) <= most))
             for q in configurations
         )
 
-    def _stands(self, q: Array) -> bool:
+    def stands(self, q: Array) -> bool:
         """Whether nobody takes it for falling; a welded base stays as it is bolted, be it to a ceiling."""
         up = 1.0 - 2.0 * float(q[3] ** 2 + q[4] ** 2)
         upright = bool(q[2] >= self.lowest_m - _ROUNDING_M) and up >= math.cos(LEANING_RAD)

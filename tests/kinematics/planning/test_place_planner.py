@@ -12,7 +12,7 @@ from kinematics.geometry.shapes import Box, Cylinder
 from kinematics.ik.reach_ik import ReachIk
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.verdict import CheckedTrajectory, Unsafe
-from kinematics.planning import place_planner, place_task
+from kinematics.planning import place_planner, place_task, planning_task
 from kinematics.planning.place_planner import PlacePlanner
 from kinematics.planning.place_task import TURNS_RAD
 from kinematics.requests.place import PlacePlan, PlaceRequest, Spot
@@ -103,6 +103,15 @@ def test_out_of_reach_there_is_no_plan_and_the_reasons_are_counted(talos, stance
     assert isinstance(answer, NoPlan)
     assert answer.reasons["no inverse kinematics at the spot"] > 0
     assert answer.numbers["spots"] == 1.0
+
+
+def test_nothing_is_put_down_by_leaning_so_far_that_it_is_taken_for_a_fall(talos, stance, make, monkeypatch):
+    monkeypatch.setattr(planning_task, "LEANING_RAD", 1e-4)
+
+    answer = PlacePlanner(talos).plan(request(talos, stance, make, 0.85, (0.42, -0.34)))
+
+    assert isinstance(answer, NoPlan)
+    assert "too low or too far over" in answer.reasons
 
 
 def test_who_asks_quickly_gets_the_plain_plans_and_a_short_no(talos, stance, make):
