@@ -9,7 +9,7 @@ from executive.vocabulary.inflection import forms
 
 _CHOICE = re.compile(r"\[([^\][()]*)\]|\(([^\][()]*)\)")
 _WORD = re.compile(
-    r"&&|\|\||\d+(?:st|nd|rd|th)\b|(?<!\d,)\d+,\d{1,2}(?![\d,])|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
+    r"&&|\|\||\d+(?:st|nd|rd|th)\b|(?<!\d,)\d+,\d{1,2}(?![\d,])|\d+(?:\.\d+)?|[^\W\d_]+(?:\d+\b)?(?:'[^\W\d_]+)*(?:_[^\W\d_]+)*|[^\w\s]|\w"
 )
 MOST_VARIANTS = 100_000
 """Phrases that one phrase with choices may stand for."""

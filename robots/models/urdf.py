@@ -155,7 +155,7 @@ def moving_joints(urdf: ElementTree.Element) -> tuple[str, ...]:
     """Moving joints in Pinocchio's order: depth first, children in the order of their joints' names.
 
     Raises:
-        DescriptionError: A joint hangs in the air.
+        DescriptionError: A joint hangs in the air, or there is no first link.
     """
     children: dict[str, list[tuple[str, str, bool]]] = {}
     is_child = set()
@@ -169,6 +169,8 @@ def moving_joints(urdf: ElementTree.Element) -> tuple[str, ...]:
         )
         is_child.add(child.attrib["link"])
     roots = [name for name in link_names(urdf) if name not in is_child]
+    if not roots:
+        raise DescriptionError("the URDF has no link that all others hang on: it is empty, or a ring")
     order: list[str] = []
 
     def visit(link: str) -> None:

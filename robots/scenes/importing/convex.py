@@ -91,6 +91,13 @@ def volume(corners: Array) -> float:
     return float(library("scipy.spatial").ConvexHull(corners).volume)
 
 
+def middle_of(hulls: Sequence[Array]) -> Array:
+    """Centre of mass of parts of even density, each shape (k, 3), as the simulator has it; shape (3,), m."""
+    meshes = [library("trimesh").convex.convex_hull(hull) for hull in hulls]
+    middles = [np.asarray(mesh.center_mass) for mesh in meshes]
+    return np.asarray(np.average(middles, axis=0, weights=[float(mesh.volume) for mesh in meshes]))
+
+
 def of_few_corners(corners: Array) -> Array:
     """Those corners of a hull, shape (n, 3), without which it would be another, shape (k, 3)."""
     spatial = library("scipy.spatial")

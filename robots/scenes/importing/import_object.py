@@ -14,7 +14,7 @@ from kinematics.arrays import Array
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from robots.errors import CannotImportError
-from robots.scenes.importing.convex import convex_parts, surface_of, volume
+from robots.scenes.importing.convex import convex_parts, middle_of, surface_of, volume
 from robots.scenes.importing.extra import library
 from robots.scenes.importing.mesh_file import Mesh, read_mesh
 from robots.scenes.importing.outline import fitted, turn_of
@@ -158,15 +158,13 @@ def made(mesh: Mesh, guesses: Guesses) -> ObjectModel:
     hulls = [hull - fit.centre for hull in hulls]
     corners = np.concatenate(hulls)
     surface, normals = surface_of(hulls)
-    shares = np.array([volume(hull) for hull in hulls])
-    middle = np.average([hull.mean(axis=0) for hull in hulls], axis=0, weights=shares)
     parts = ConvexParts(
         key=model_key(mesh.digest, float(values["scale"]), up, turn),
         corners=corners,
         ends=tuple(np.cumsum([len(hull) for hull in hulls]).tolist()),
         surface=surface,
         normals=normals,
-        rests=rests_of(corners, middle).up,
+        rests=rests_of(corners, middle_of(hulls)).up,
         outline_error_m=fit.error_m,
     )
     return ObjectModel(

@@ -36,7 +36,7 @@ class Rests(Sealed):
 
 
 def rests_of(corners: Array, middle: Array) -> Rests:
-    """Every way in which a thing lies on a facet of its hull and does not tip.
+    """Every way in which a thing lies on a facet of its hull and does not tip; if none is safe, the safest.
 
     Args:
         corners: Of the thing, shape (n, 3), m.
@@ -48,7 +48,8 @@ def rests_of(corners: Array, middle: Array) -> Rests:
         if not any(normal @ other > _FLAT_COSINE for other in normals):
             normals.append(normal)
     found = [(margin_m(corners, middle, -normal), -normal) for normal in normals]
-    safe = sorted((each for each in found if each[0] >= _LEAST_MARGIN_M), key=lambda each: -each[0])[:_MOST]
+    found = sorted((each for each in found if each[0] > 0.0), key=lambda each: -each[0])[:_MOST]
+    safe = [each for each in found if each[0] >= _LEAST_MARGIN_M] or found[:1]
     return Rests(np.array([up for _, up in safe]).reshape(-1, 3), np.array([margin for margin, _ in safe]))
 
 
@@ -68,7 +69,7 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
 
     What people call a thing's top is one of the mesh's axes nearly always: the long one of what is slim and
     stands on its end, a carton, a bottle; else the file's own habit where the thing stands so, then the next
-    on which it stands; where it stands on none, as it rests most safely.
+    on which it stands; where it stands on none, as it is hardest to tip over.
 
     Args:
         corners: Of the hull, shape (n, 3), m.
@@ -85,6 +86,8 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
         return UP_AXES[best], "it is slim, and stands on its end so"
     for name in names:
         up = np.array(UP_AXES[name])
+        if _is_slim(corners, name):
+            continue  # it would stand on an end that is too small for it
         across = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)[:2].max()
         if margin_m(corners, middle, up) >= max(_LEAST_MARGIN_M, SURE_MARGIN * across):
             why = (
@@ -94,17 +97,23 @@ def guessed_up(corners: Array, middle: Array, ending: str) -> tuple[Up, str]:
     rests = rests_of(corners, middle)
     if not len(rests.up):
         return UP_AXES[usual], "files of this kind have that axis up; it stands on no side"
-    return _direction(rests.up[0]), "it stands on none of its axes, and rests so most safely"
+    heights_m = rests.up @ middle - (rests.up @ corners.T).min(axis=1)
+    steadiest = int(np.argmax(rests.margin_m / heights_m))
+    return _direction(rests.up[steadiest]), "it stands on none of its axes, and is so hardest to tip over"
 
 
 def _stands_slim(corners: Array, middle: Array, name: str) -> bool:
     """Whether a thing is much higher than wide with an axis up, and stands so."""
-    wide, deep, high = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0)
-    if float(high) < SLIM * max(float(wide), float(deep)):
+    if not _is_slim(corners, name):
         return False
-    return margin_m(corners, middle, np.array(UP_AXES[name])) >= max(
-        _LEAST_MARGIN_M, SLIM_MARGIN * float(high)
-    )
+    high = float(np.ptp(corners @ np.array(UP_AXES[name])))
+    return margin_m(corners, middle, np.array(UP_AXES[name])) >= max(_LEAST_MARGIN_M, SLIM_MARGIN * high)
+
+
+def _is_slim(corners: Array, name: str) -> bool:
+    """Whether a thing is much higher than wide with an axis up."""
+    wide, deep, high = np.ptp(corners @ upright(UP_AXES[name]).T, axis=0).tolist()
+    return bool(high >= SLIM * max(wide, deep))
 
 
 def _direction(up: Array) -> Up:

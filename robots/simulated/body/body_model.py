@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import re
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import mujoco
 
@@ -44,7 +45,9 @@ MIMIC_SOLREF = (0.005, 1.0)
 MIMIC_SOLIMP = (0.95, 0.99, 0.001, 0.5, 2.0)
 IMU_SENSORS = {"gyro": mujoco.mjtSensor.mjSENS_GYRO, "accelerometer": mujoco.mjtSensor.mjSENS_ACCELEROMETER}
 """In the order in which they are read."""
-_UNREAD = ".dae"
+_COLLADA, _STL = ".dae", ".stl"
+_STL_HEAD = 84
+"""Bytes of a binary STL before its triangles; the last four say how many these are, of 50 bytes each."""
 _FLAT = re.compile(r"mesh volume is too small: (\S+)")
 """Meshes of this kind MuJoCo does not read."""
 
@@ -73,10 +76,11 @@ def robot_spec(robot: RobotData, *, drawn: bool = True, collides: bool = True) -
         balanceinertia="true",
     )
     urdf.insert(0, options)
-    _draw_by_hulls(urdf)
+    meshes = Path(description.mesh_dir)
+    _draw_by_hulls(urdf, meshes)
     mend_masses(urdf)
     spec = mujoco.MjSpec.from_string(ElementTree.tostring(urdf, encoding="unicode"))
-    _read_hulls(spec)
+    _read_hulls(spec, meshes)
     if not description.welded:
         body(spec, description.base_link).add_freejoint(name=ROOT_JOINT)
     _assign_roles(spec, description)
@@ -95,10 +99,10 @@ def robot_spec(robot: RobotData, *, drawn: bool = True, collides: bool = True) -
     return spec
 
 
-def _draw_by_hulls(urdf: ElementTree.Element) -> None:
+def _draw_by_hulls(urdf: ElementTree.Element, meshes: Path) -> None:
     """Draw links whose drawings MuJoCo cannot read as what they collide with."""
     for link in urdf.findall("link"):
-        unread = [item for item in link.findall("visual") if _drawing(item).endswith(_UNREAD)]
+        unread = [item for item in link.findall("visual") if is_unread(_drawing(item), meshes)]
         if unread:
             for item in unread:
                 link.remove(item)
@@ -107,11 +111,11 @@ def _draw_by_hulls(urdf: ElementTree.Element) -> None:
                 drawn.extend(copy.deepcopy(list(hull)))
 
 
-def _read_hulls(spec: mujoco.MjSpec) -> None:
+def _read_hulls(spec: mujoco.MjSpec, meshes: Path) -> None:
     """Give the meshes that MuJoCo cannot read the hulls that planner and checker go by."""
     for mesh in spec.meshes:
-        if mesh.file.lower().endswith(_UNREAD):
-            mesh.uservert = hull_corners(mesh.file).ravel()
+        if is_unread(mesh.file, meshes):
+            mesh.uservert = hull_corners(str(meshes / mesh.file)).ravel()
             mesh.file = ""
             mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
 
@@ -119,7 +123,21 @@ def _read_hulls(spec: mujoco.MjSpec) -> None:
 def _drawing(visual: ElementTree.Element) -> str:
     """The file of a link's drawing; empty for a simple solid."""
     mesh = visual.find("geometry/mesh")
-    return "" if mesh is None else mesh.get("filename", "").lower()
+    return "" if mesh is None else mesh.get("filename", "")
+
+
+def is_unread(file: str, meshes: Path) -> bool:
+    """Whether a mesh is one that MuJoCo does not read: COLLADA, or an STL that is written as text."""
+    ending = Path(file).suffix.lower()
+    if ending != _STL:
+        return ending == _COLLADA
+    path = meshes / file
+    if not path.is_file():
+        return False
+    with path.open("rb") as opened:
+        head = opened.read(_STL_HEAD)
+    triangles = int.from_bytes(head[-4:], "little")
+    return path.stat().st_size != _STL_HEAD + 50 * triangles and head.lstrip().startswith(b"solid")
 
 
 def compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +35,7 @@ class Foreign:
         file: Where it is from.
         mends: What had to be mended before it could be compiled.
         are_drawn: Its solids are what their meshes show, not the hulls of these.
+        cut: Convex parts of such geoms in the world, as they come to be cut: that takes seconds.
     """
 
     model: Any
@@ -42,6 +43,7 @@ class Foreign:
     file: Path
     mends: tuple[str, ...] = ()
     are_drawn: bool = False
+    cut: dict[int, list[Array]] = field(default_factory=dict)
 
     def name(self, body: int) -> str:
         """A body's name; of one without, its number."""

@@ -13,7 +13,7 @@ from kinematics.formats.solid_document import MAX_PARTS
 from kinematics.geometry import poses
 from kinematics.geometry.convex_parts import ConvexParts
 from kinematics.geometry.poses import Transform
-from robots.scenes.importing.convex import convex_parts, of_few_corners, surface_of, volume
+from robots.scenes.importing.convex import convex_parts, middle_of, of_few_corners, surface_of, volume
 from robots.scenes.importing.extra import library
 from robots.scenes.importing.outline import fitted, turn_of
 from robots.scenes.importing.resting import rests_of
@@ -55,7 +55,7 @@ def foreign_object(
     """
     stands = np.eye(3) if upright is None else upright
     geoms = foreign.solid_geoms(bodies)
-    found = [_hulls(foreign, geom, stands) for geom in geoms]
+    found = [solids_of(foreign, geom, stands) for geom in geoms]
     solid = [hull for hulls in found for hull in hulls]
     flat = sum(not hulls for hulls in found)
     if not solid:
@@ -71,7 +71,6 @@ def foreign_object(
     hulls = [hull - fit.centre for hull in hulls]
     vertices = seen.vertices @ to_own.T - fit.centre
     corners = np.concatenate(hulls)
-    middle = np.average([hull.mean(axis=0) for hull in hulls], axis=0, weights=[volume(h) for h in hulls])
     surface, normals = surface_of(hulls)
     parts = ConvexParts(
         key=key or hashlib.sha256(corners.tobytes() + vertices.tobytes()).hexdigest()[:24],
@@ -79,7 +78,7 @@ def foreign_object(
         ends=tuple(np.cumsum([len(hull) for hull in hulls]).tolist()),
         surface=surface,
         normals=normals,
-        rests=rests_of(corners, middle).up,
+        rests=rests_of(corners, middle_of(hulls)).up,
         outline_error_m=fit.error_m,
     )
     model = ObjectModel(
@@ -96,15 +95,23 @@ def foreign_object(
     return ForeignObject(model, place, color, flat + len(solid) - len(hulls))
 
 
-def _hulls(foreign: Foreign, geom: int, stands: Array) -> list[Array]:
-    """Corners of the convex parts of a solid; none where it is flat."""
+def solids_of(foreign: Foreign, geom: int, stands: Array) -> list[Array]:
+    """Corners of a geom's convex parts in the world, each shape (k, 3), m; none where it is flat.
+
+    Args:
+        foreign: The model.
+        geom: MuJoCo's index.
+        stands: How it is turned first, shape (3, 3).
+    """
     cloud = foreign.corners(geom) @ stands.T
     if not _is_solid(cloud):
         return []
     vertices, faces = foreign.triangles(geom)
-    if foreign.are_drawn and len(faces):
-        return convex_parts(vertices @ stands.T, faces.astype(np.int32))
-    return [of_few_corners(cloud)]
+    if not foreign.are_drawn or not len(faces):
+        return [of_few_corners(cloud)]
+    if geom not in foreign.cut:
+        foreign.cut[geom] = convex_parts(vertices, faces.astype(np.int32))
+    return [hull @ stands.T for hull in foreign.cut[geom]]
 
 
 def _box_about(corners: Array) -> Array:

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinematics.geometry.convex_parts import ConvexParts
 from robots.errors import CannotImportError
-from robots.scenes.importing.convex import of_few_corners, volume
+from robots.scenes.importing.convex import middle_of, of_few_corners, volume
 from robots.scenes.importing.import_object import (
     DENSITY_KG_M3,
     HEAVIEST_KG,
@@ -24,7 +24,7 @@ from robots.scenes.meshes.object_model import digest_of, model_file, model_key, 
 from robots.scenes.meshes.sidecar import Guesses, SidecarDraft, read_sidecar, sidecar_file, sidecar_text
 from robots.scenes.meshes.up_axis import UP_AXES, Up, name_of, upright
 from robots.simulated.importing.bodies import WORLD, Foreign, read_foreign
-from robots.simulated.importing.foreign_object import foreign_object
+from robots.simulated.importing.foreign_object import foreign_object, solids_of
 
 ENDINGS = (".xml", ".urdf", ".mjcf")
 _UNSAID_KG = 2e-4
@@ -54,7 +54,8 @@ def import_foreign_object(file: Path, said: Mapping[str, Any] | None = None) -> 
     kept = {key: getattr(draft, key) for key in draft.model_fields_set - {"measured", "scale", "turn_rad"}}
     known: dict[str, Any] = {**kept, **(said or {})}
     corners = of_few_corners(np.concatenate([foreign.corners(geom) for geom in geoms]))
-    guess, why = guessed_up(corners, corners.mean(axis=0), file.suffix)
+    solids = [hull for geom in geoms for hull in solids_of(foreign, geom, np.eye(3))]
+    guess, why = guessed_up(corners, middle_of(solids or [corners]), file.suffix)
     up: Up = _direction(known.get("up", guess))
     made = foreign_object(foreign, bodies, upright(up), model_key(digest_of(file), 1.0, up, 0.0))
     guesses: dict[str, tuple[Any, str]] = {

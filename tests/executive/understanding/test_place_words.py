@@ -6,7 +6,7 @@ from executive.understanding.command_parser import parse
 from executive.vocabulary.in_a_place import words_of_the_place
 from trees.tasks import ObjectDescription
 
-PLACE = ("zorblax", "macaroni and cheese", "groceries", "Tomato-Soup", "cup")
+PLACE = ("zorblax", "macaroni and cheese", "groceries", "Tomato-Soup", "cup", "WD40 can", "object0")
 
 
 def meant(sentence):
@@ -27,6 +27,8 @@ def meant(sentence):
         ("bring me the groceries", ["groceries"]),
         ("pick up the tomato soup", ["tomato soup"]),
         ("take the mug", ["cup"]),
+        ("pick up the WD40 can", ["wd40 can"]),
+        ("pick up object0", ["object0"]),
     ],
 )
 def test_a_thing_of_the_place_is_called_as_it_is_there(sentence, kinds):

@@ -122,6 +122,7 @@ def test_what_could_stand_is_welded_when_that_is_asked_for():
     [
         (["new", "nowhere.urdf"], "no URDF 'nowhere.urdf', neither here nor in example-robot-data"),
         (["new", "double_pendulum_description/urdf/double_pendulum_simple.urdf"], "no arm was found"),
+        (["new", "ur_description/urdf/ur3.urdf"], "no link that all others hang on"),
         (["new", ARM, "--base", "floating"], "0 legs of six hinges were found; to stand takes two"),
         (["reach", "./nobody"], "no robot in './nobody': expected a folder with a description.toml"),
         (["reach", "panda", "--hand", "left"], "panda has no left hand; it has: right"),

@@ -5,8 +5,10 @@ import pytest
 
 from kinematics.geometry.shapes import Ball, Box, Cylinder
 from robots.errors import CannotImportError
+from robots.scenes.importing.convex import middle_of
 from robots.scenes.importing.import_object import import_object, label_of
 from robots.scenes.importing.outline import fitted
+from robots.scenes.importing.resting import rests_of
 from robots.scenes.meshes.object_model import read_model
 from robots.scenes.meshes.sidecar import Sidecar, read_sidecar
 from robots.scenes.scene_file import load_scene
@@ -203,3 +205,30 @@ def test_several_open_surfaces_in_one_mesh_are_cut_too(tmp_path):
     model = import_object(tmp_path / "tower.glb").model
 
     assert np.ptp(model.parts.corners, axis=0) == pytest.approx([0.05, 0.05, 0.148], abs=4e-3)
+
+
+def test_what_has_a_small_foot_at_each_end_of_its_length_lies(tmp_path):
+    peg = foreign.lathe([(0, 0), (0.0045, 0), (0.01, 0.006), (0.01, 0.084), (0.0045, 0.09), (0, 0.09)])
+
+    model = import_object(foreign.written(peg, tmp_path, "peg.obj")).model
+
+    assert np.ptp(model.parts.corners, axis=0)[2] == pytest.approx(0.02, abs=1e-3)
+
+
+def test_what_rests_safely_on_no_side_rests_on_its_safest():
+    corners = np.asarray(foreign.trimesh.creation.icosphere(subdivisions=3, radius=0.006).vertices)
+
+    rests = rests_of(corners, np.zeros(3))
+
+    assert len(rests.up) == 1
+    assert 0.0 < rests.margin_m[0] < 0.004
+
+
+def test_the_middle_of_parts_is_that_of_their_mass_and_not_of_their_corners():
+    slab, knob = foreign.carton((0.1, 0.1, 0.02)), foreign.trimesh.creation.icosphere(radius=0.01)
+    knob.apply_translation((0.05, 0.0, 0.02))
+    mass = [slab.volume, knob.volume]
+
+    middle = middle_of([np.asarray(slab.vertices), np.asarray(knob.vertices)])
+
+    assert middle == pytest.approx(np.average([[0, 0, 0], [0.05, 0, 0.02]], axis=0, weights=mass), abs=1e-6)
