@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -20,9 +21,31 @@ ON_RAD, OFF_RAD = 0.6, 0.3
 """A knob is on when it is turned by so much, off when by no more."""
 PRESSED = 0.8
 """Of a button's way: what is pressed so far has switched."""
-_TABLE_M = (0.6, 1.4)
-_AHEAD_M, _ASIDE_M = (0.60, 0.68), (0.10, 0.34)
-_HEIGHT_M = (0.92, 1.08)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where knobs and buttons are within a robot's reach; lengths in m.
+
+    Attributes:
+        table_m: Depth and width of the table that the things stand on.
+        top_m: Its height.
+        ahead_m: From the robot to the fronts of the things.
+        aside_m: From its middle to the middle of a thing.
+        height_m: Of a knob or button, above the floor.
+    """
+
+    table_m: tuple[float, float]
+    top_m: tuple[float, float]
+    ahead_m: tuple[float, float]
+    aside_m: tuple[float, float]
+    height_m: tuple[float, float]
+
+
+STANDING = Place((0.6, 1.4), (0.74, 0.84), (0.60, 0.68), (0.10, 0.34), (0.92, 1.08))
+"""Before a humanoid of a grown-up's size."""
+LOW = Place((0.5, 1.2), (0.66, 0.72), (0.36, 0.42), (0.12, 0.28), (0.78, 0.92))
+"""Before a humanoid of a child's size."""
 
 
 class KnobJudge:
@@ -76,17 +99,17 @@ class ButtonJudge:
         return Verdict(done, numbers, "" if done else f"pressed: {', '.join(pressed) or 'none'}")
 
 
-def _scene(name: str, rng: np.random.Generator, kind: str) -> SceneDescription:
+def _scene(name: str, rng: np.random.Generator, kind: str, where: Place) -> SceneDescription:
     """A table with two things on it, one to each side, each with a knob or button that faces the robot."""
-    top = float(rng.uniform(0.74, 0.84))
-    front = float(rng.uniform(*_AHEAD_M))
-    table = Furniture("table", "table", (*_TABLE_M, top), (front - 0.05 + 0.5 * _TABLE_M[0], 0.0))
+    top = float(rng.uniform(*where.top_m))
+    front = float(rng.uniform(*where.ahead_m))
+    table = Furniture("table", "table", (*where.table_m, top), (front - 0.05 + 0.5 * where.table_m[0], 0.0))
     names = ["stove", "oven"] if kind == KNOB else ["coffee machine", "toaster"]
     pieces = [table]
     for side, called in zip(rng.permutation([1.0, -1.0]), names, strict=True):
         deep, wide = float(rng.uniform(0.25, 0.4)), float(rng.uniform(0.18, 0.28))
-        yaw, aside = float(rng.uniform(-0.15, 0.15)), float(side * rng.uniform(*_ASIDE_M))
-        high = float(rng.uniform(*_HEIGHT_M))
+        yaw, aside = float(rng.uniform(-0.15, 0.15)), float(side * rng.uniform(*where.aside_m))
+        high = float(rng.uniform(*where.height_m))
         pieces.append(
             Furniture(
                 called,
@@ -114,7 +137,7 @@ def _control(rng: np.random.Generator, kind: str, deep: float, wide: float, high
 
 def turn_knob_trial(rng: np.random.Generator) -> Trial:
     """Switch one of two things on, or off."""
-    scene = _scene("turn_knob", rng, KNOB)
+    scene = _scene("turn_knob", rng, KNOB, STANDING)
     off = bool(rng.random() < 0.3)
     aim = scene.furniture[1 + int(rng.integers(2))]
     if off:
@@ -128,13 +151,13 @@ def turn_knob_trial(rng: np.random.Generator) -> Trial:
     return Trial(scene, (task,), f"{aim.name}/{KNOB}")
 
 
-def press_trial(rng: np.random.Generator) -> Trial:
+def press_trial(rng: np.random.Generator, where: Place = STANDING) -> Trial:
     """Press the button of one of two things."""
-    scene = _scene("press", rng, BUTTON)
+    scene = _scene("press", rng, BUTTON, where)
     aim = scene.furniture[1 + int(rng.integers(2))]
     task = PressTask(f"press the button of the {aim.name}", ObjectDescription(aim.name))
     return Trial(scene, (task,), f"{aim.name}/{BUTTON}")
 
 
 TURN_KNOB = SkillSuite(turn_knob_trial, KnobJudge, bar=0.8)
-PRESS = SkillSuite(press_trial, ButtonJudge, bar=0.8)
+PRESS = SkillSuite(press_trial, ButtonJudge, bar=0.8, on_low=partial(press_trial, where=LOW))
