@@ -68,6 +68,8 @@ class Pushing:
         beyond_hinge_m: And so far beyond a door's hinge: an open door looks to that side.
         heading_weight: How much it matters that the hand keeps its heading, nearly square to the front when
             that is shut: one that turns slides along it. None where the hand turns as it likes.
+        button_past_m: What presses a button is led so far beyond where that was seen: what is behind it stops
+            the hand, and a soft arm gives way by more than a stiff one before it presses hard enough.
     """
 
     places_m: tuple[tuple[float, float], ...] = (
@@ -82,6 +84,7 @@ class Pushing:
     before_m: float | None = None
     beyond_hinge_m: float = 0.0
     heading_weight: float | None = None
+    button_past_m: float = 0.02
 
 
 PADS_ON_A_BAR, FAR_REACH, AS_IT_OPENS = BarGrip(), HandleStanding(), Pushing()

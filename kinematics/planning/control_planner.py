@@ -11,10 +11,11 @@ import dataclasses
 import itertools
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.arrays import Array
+from kinematics.arrays import Array, Sealed
 from kinematics.geometry import poses
 from kinematics.geometry.poses import Transform
 from kinematics.geometry.shapes import Box
@@ -27,6 +28,7 @@ from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.motion.lead_in import lead_in
 from kinematics.planning.grasps import key_of
 from kinematics.planning.planning_task import CARTESIAN_PACE, CARTESIAN_POINTS, REACH_PACE, PlanningTask
+from kinematics.planning.pressing import pressing_faces
 from kinematics.planning.pushing import hand_points
 from kinematics.requests.control import ControlPlan, ControlRequest, TurnPlan, TurnRequest
 from kinematics.requests.grasp import Grasp
@@ -39,13 +41,13 @@ from kinematics.timing.curve_timing import Pace
 _APPROACH_M = 0.08
 _FINGER_ROOMS_M = (("", 0.012), (" less deep", 0.020), (" at its end", 0.028))
 """Between closed fingertips and what a knob is on, in words and m: that is misjudged by millimetres too."""
-_FOREMOST_M = 0.003
 _TURN_POINTS = 5
 _TURN_PACE = Pace(velocity=0.25, acceleration=0.5)
 _ROLLS = (0.0, math.pi)
 _SHARES = (1.0, 0.85, 0.7)
 """Of a turn, where the hand holds the knob otherwise than was thought: what has switched is seen."""
 _TOLERANCE = IkTolerance(com_margin_m=0.05)
+_ALONG = np.array([1.0, 0.0, 0.0])
 
 
 class ControlPlanner:
@@ -57,8 +59,8 @@ class ControlPlanner:
     def plan(self, request: ControlRequest) -> ControlPlan | NoPlan:
         """The first way that goes, or honestly why there is none."""
         task = _ControlTask(self._model, request)
-        for grasp in task.grasps():
-            if (plan := task.planned(grasp)) is not None:
+        for way in task.ways():
+            if (plan := task.tried(way, task.plan_of)) is not None:
                 return plan
         told = f"no way for a hand to the {request.control} from here was found"
         numbers = {"ways_considered": float(task.considered)}
@@ -70,6 +72,15 @@ class ControlPlanner:
         return _ControlTask(self._model, asked).turn_plan(request.hand, request.turn_rad)
 
 
+@dataclass(frozen=True, slots=True)
+class _Way(Sealed):
+    """Where a hand is at the end of its approach, how it comes there, in the TCP frame, and how short."""
+
+    grasp: Grasp
+    inwards: Array
+    short_m: float = 0.0
+
+
 class _ControlTask(PlanningTask):
     """One knob or button to come to: its candidates are poses of the hand."""
 
@@ -77,44 +88,49 @@ class _ControlTask(PlanningTask):
         super().__init__(model, request, PLANNING_RESERVE_M, HANDED_ON_RESERVE_M, start_reserve_m=0.0)
         self.request = request
 
-    def grasps(self) -> Iterator[Grasp]:
+    def ways(self) -> Iterator[_Way]:
         """Candidates, the most promising first."""
         request = self.request
         control = request.scene.objects[request.control]
-        for hand in request.hands:
-            rooms = _FINGER_ROOMS_M if request.turn_rad is not None else _FINGER_ROOMS_M[:1]
-            for (deep, room_m), roll in itertools.product(rooms, _ROLLS):
-                label = f"roll {math.degrees(roll):.0f}{deep}"
-                if key_of(hand, label) in request.excluded:
-                    continue
-                pose = self._at(control, hand, roll, room_m)
-                thick = control.shape.size_m[2] if isinstance(control.shape, Box) else 0.02
-                yield Grasp(hand, label, pose, _APPROACH_M, thick)
+        found = self._pressing if request.turn_rad is None else self._about
+        for way in itertools.chain.from_iterable(found(control, hand) for hand in request.hands):
+            if key_of(way.grasp.hand, way.grasp.label) not in request.excluded:
+                yield way
 
-    def _at(self, control: SceneObject, hand: Hand, roll: float, room_m: float) -> Transform:
-        """Pose of the TCP, shape (4, 4): its x inwards, and about a knob its y across the bar."""
-        pose = control.world_T_object
-        long = control.shape.size_m[0] if isinstance(control.shape, Box) else 0.0
-        if self.request.turn_rad is not None:
-            rotation = pose[:3, :3] @ poses.rotation_x(0.5 * math.pi + roll)
-            points = hand_points(self._model, hand, self.request.q_start)
-            advance_m = self._model.description.grippers[hand].closing_advance_m
-            stands_off_m = float(points[:, 0].max()) + advance_m + room_m
-            return poses.transform(rotation, pose[:3, 3] + (0.5 * long - stands_off_m) * pose[:3, 0])
-        yaw = poses.yaw_of(pose[:3, :3])
-        rotation = poses.rotation_z(yaw) @ poses.rotation_x(0.5 * math.pi + roll)
+    def _about(self, knob: SceneObject, hand: Hand) -> Iterator[_Way]:
+        """At a knob: its x inwards, its y across the bar."""
+        pose, long = knob.world_T_object, _long_m(knob)
         points = hand_points(self._model, hand, self.request.q_start)
-        ahead = float(points[:, 0].max())
-        tip = points[points[:, 0] > ahead - _FOREMOST_M].mean(axis=0)
-        tip[0] = ahead + self.request.short_m
-        face = pose[:3, 3] - 0.5 * long * pose[:3, 0]
-        return poses.transform(rotation, face - rotation @ tip)
+        advance_m = self._model.description.grippers[hand].closing_advance_m
+        for (deep, room_m), roll in itertools.product(_FINGER_ROOMS_M, _ROLLS):
+            rotation = pose[:3, :3] @ poses.rotation_x(0.5 * math.pi + roll)
+            stands_off_m = float(points[:, 0].max()) + advance_m + room_m
+            at = pose[:3, 3] + (0.5 * long - stands_off_m) * pose[:3, 0]
+            label = f"roll {math.degrees(roll):.0f}{deep}"
+            yield _Way(_grasp(knob, hand, label, poses.transform(rotation, at)), _ALONG)
 
-    def planned(self, grasp: Grasp) -> ControlPlan | None:
-        """The whole plan for one way, or None with the reason counted."""
-        return self.tried(grasp, self._plan)
+    def _pressing(self, button: SceneObject, hand: Hand) -> Iterator[_Way]:
+        """Before a button: what of the closed hand can press comes inwards.
 
-    def _plan(self, grasp: Grasp) -> ControlPlan | str:
+        Fingers are judged open: where they would come before the hand that is closed, feeling begins sooner.
+        """
+        pose = button.world_T_object
+        yaw, face_m = poses.yaw_of(pose[:3, :3]), pose[:3, 3] - 0.5 * _long_m(button) * pose[:3, 0]
+        faces = pressing_faces(self._model, hand, self.request.q_start)
+        if not faces:
+            self.reasons["its fingers always come before its palm"] += 1
+        for face in faces:
+            short_m, inwards = self.request.short_m + face.open_ahead_m, face.tcp_R_face[:, 0]
+            for roll in face.rolls_rad:
+                turned = poses.rotation_z(yaw) @ poses.rotation_x(0.5 * math.pi + roll)
+                rotation = turned @ face.tcp_R_face.T
+                at = face_m - rotation @ (face.point_m + short_m * inwards)
+                label = f"{face.label}roll {math.degrees(roll):.0f}"
+                yield _Way(_grasp(button, hand, label, poses.transform(rotation, at)), inwards, short_m)
+
+    def plan_of(self, way: _Way) -> ControlPlan | str:
+        """The whole plan for one way, or why there is none."""
+        grasp = way.grasp
         request, ik = self.request, self.ik_of(grasp.hand)
         found = ik.solve(grasp.world_T_tcp, request.q_start)
         if not found.within(_TOLERANCE):
@@ -124,7 +140,7 @@ class _ControlTask(PlanningTask):
         blocked = near.judge.not_free(self.space.from_q(found.q))
         if blocked is not None:
             return "collision there" if blocked.pair is not None else str(blocked)
-        before = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
+        before = grasp.world_T_tcp @ poses.transform(np.eye(3), -grasp.approach_m * way.inwards)
         back = along_line(ik, found.q, grasp.world_T_tcp, before, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
@@ -149,7 +165,7 @@ class _ControlTask(PlanningTask):
         second = self.step("approach", approach, CARTESIAN_PACE, in_hand)
         if first is None or second is None:
             return "legs cannot follow"
-        return ControlPlan(grasp, first, second, self.considered)
+        return ControlPlan(grasp, first, second, self.considered, way.short_m)
 
     def turned(
         self, hand: Hand, q: Array, turn_rad: float, scene: PlanningScene | None = None
@@ -221,3 +237,13 @@ class _ControlTask(PlanningTask):
         links = self._model.description.grippers[hand].touch_links
         around = self.request.scene if scene is None else scene
         return around.allowing((link, self.request.control) for link in links)
+
+
+def _long_m(control: SceneObject) -> float:
+    """How far a knob or button stands out."""
+    return control.shape.size_m[0] if isinstance(control.shape, Box) else 0.0
+
+
+def _grasp(control: SceneObject, hand: Hand, label: str, world_T_tcp: Transform) -> Grasp:
+    thick_m = control.shape.size_m[2] if isinstance(control.shape, Box) else 0.02
+    return Grasp(hand, label, world_T_tcp, _APPROACH_M, thick_m)

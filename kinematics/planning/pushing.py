@@ -163,13 +163,13 @@ def hand_points(model: RobotModel, hand: Hand, q: Array) -> Array:
     found = []
     for item, pose in zip(geometry.geometryObjects, placed.oMg, strict=True):
         if model.link_of(item) in gripper.touch_links:
-            corners = _corners(item.geometry)
+            corners = corners_of(item.geometry)
             at = tcp_T_world @ pose.homogeneous
             found.append(corners @ at[:3, :3].T + at[:3, 3])
     return np.concatenate(found)
 
 
-def _corners(geometry: Any) -> Array:
+def corners_of(geometry: Any) -> Array:
     """Of a hull or a box of Coal's; around a cylinder those of the box that it is in; shape (n, 3)."""
     if isinstance(geometry, coal.ConvexBase):
         return np.asarray(geometry.points())

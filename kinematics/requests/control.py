@@ -19,12 +19,14 @@ class ControlPlan:
         reach: The way to before it.
         approach: Straight on to it; of a button, which is pressed by feel, up to where the hand stops short.
         considered: How many ways were looked at.
+        short_m: So far before a button what presses it is then.
     """
 
     grasp: Grasp
     reach: PlannedStep
     approach: PlannedStep
     considered: int
+    short_m: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,7 @@ class ControlRequest(Request[ControlPlan | NoPlan]):
         control: Its name in the scene; x of its box points inwards, as the hand comes.
         turn_rad: How far a knob will be turned, clockwise for who looks at it; a way is taken from which the
             hand can do that. None where it is a button.
-        short_m: So far before it the approach ends: a hand that feels its way goes on from there.
+        short_m: So far before it the approach ends, or farther: a hand that feels its way goes on from there.
         hands: Hands that may be used, the better one first.
         excluded: Labels of ways, as "hand label", that were tried in vain.
         seed: Of everything random in the plan.

@@ -270,6 +270,7 @@ class FakePlanning:
             reach=self._step("reach", request.q_start, before, request.stance, request.scene),
             approach=self._step("approach", before, there, request.stance, request.scene, in_hand),
             considered=1,
+            short_m=request.short_m,
         )
 
     def _turn(self, request: TurnRequest) -> TurnPlan:

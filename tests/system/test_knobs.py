@@ -1,4 +1,4 @@
-"""A knob is turned as far as was asked, by what the hand does and not by what is believed."""
+"""Knobs are turned and buttons pressed by what the hand does, and not by what is believed."""
 
 import pytest
 
@@ -8,6 +8,8 @@ from tools.evaluate.skills.episode import run_skill_episode
 BY_PARTS = 481019
 """The wrist comes to its limit on the way: it was turned back in part alone, and called off."""
 
+PRESSED = 40417
+
 
 @pytest.mark.requirement("M2")
 def test_a_stove_is_off_only_once_its_knob_is_turned_back():
@@ -15,3 +17,11 @@ def test_a_stove_is_off_only_once_its_knob_is_turned_back():
 
     assert record.outcome == "done"
     assert record.truth, record.failure
+
+
+def test_a_small_humanoid_presses_a_button_with_the_edge_of_its_palm():
+    record = run_skill_episode("press", EpisodeOrder(PRESSED, robot="g1", scene="low_tabletop"))
+
+    assert record.outcome == "done"
+    assert record.truth, record.failure
+    assert not record.fell

@@ -357,7 +357,7 @@ def way_to_control(stage, given):
     plan = stage.fake.planning.answer(request)
     stage.fake.motion.be_at(plan.approach.trajectory.q[-1])
     stage.fake.step()
-    return {**given, "grasp": plan.grasp}
+    return {**given, "grasp": plan.grasp, "short_m": plan.short_m}
 
 
 def hand_at_knob(stage):

@@ -37,6 +37,6 @@ SKILLS = (
         task=PressTask,
         tree=_press,
         example="press the button on the coffee machine",
-        needs=frozenset({Need.HAND, Need.TIPS, Need.EYES}),
+        needs=frozenset({Need.HAND, Need.EYES}),
     ),
 )

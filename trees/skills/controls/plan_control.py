@@ -52,7 +52,7 @@ class PlanControl(PlanningLeaf[ControlPlan]):
         control=ControlTarget,
         tried=PortInformation(frozenset, default_value=frozenset()),
     )
-    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step)
+    OUTPUT_PORTS = ports(grasp=Grasp, reach=Step, approach=Step, short_m=float)
     CONTRACT = Contract(
         precondition="the knob or button is in the world model; the robot is at rest",
         postcondition="reach starts at the reference, approach follows on; of a knob, the hand was found "
@@ -84,6 +84,7 @@ class PlanControl(PlanningLeaf[ControlPlan]):
     def planned(self, plan: ControlPlan) -> None:
         """Write the way and its steps."""
         self._set_output("grasp", plan.grasp)
+        self._set_output("short_m", plan.short_m)
         self.write_step("reach", plan.reach)
         self.write_step("approach", plan.approach)
         self.feedback_message = f"{plan.grasp.hand} hand, {plan.grasp.label}"

@@ -20,10 +20,7 @@ from trees.nodes.planned_motion_leaf import PlannedMotionLeaf
 from trees.nodes.ports import optional, ports
 from trees.nodes.yielding_leaf import YieldingLeaf
 from trees.skills.controls.control_target import ControlTarget
-from trees.skills.controls.plan_control import BUTTON_SHORT_M
 
-_BEYOND_M = 0.02
-"""A button gives way by less; the hand is stopped by what is behind it."""
 _LEAST_N = 8.0
 """What stops the hand with less is no button that is pressed fully: their springs are weaker."""
 _BEFORE_M = 0.012
@@ -38,7 +35,7 @@ class PressIn(YieldingLeaf):
     that stops the hand is pressed.
     """
 
-    INPUT_PORTS = ports(control=ControlTarget, grasp=Grasp)
+    INPUT_PORTS = ports(control=ControlTarget, grasp=Grasp, short_m=float)
     OUTPUT_PORTS = ports(evidence=dict)
     CONTRACT = Contract(
         precondition="the closed hand is before the button, at the end of the checked approach",
@@ -59,7 +56,7 @@ class PressIn(YieldingLeaf):
         self._start = self._tcp_m(toolbox.motion.reference(), grasp)
         ahead = control.inwards * np.array([1.0, 1.0, 0.0])
         self._ahead = ahead / np.linalg.norm(ahead)
-        way = BUTTON_SHORT_M + _BEYOND_M
+        way = self.get_input("short_m") + toolbox.model.description.pushing.button_past_m
         line = DrawerLine(
             self._start + way * self._ahead, math.atan2(float(self._ahead[1]), float(self._ahead[0]))
         )
@@ -96,7 +93,7 @@ class PressIn(YieldingLeaf):
         """Judge what stopped the hand, and where."""
         control: ControlTarget = self.get_input("control")
         report = self.led.report
-        beyond_m = self._deepest_m - BUTTON_SHORT_M
+        beyond_m = self._deepest_m - self.get_input("short_m")
         felt = {"beyond_m": round(beyond_m, 4), "peak_push_n": round(report.peak_pull_n, 1)}
         self.measured(**felt)
         self.feedback_message = (
