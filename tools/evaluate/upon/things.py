@@ -34,6 +34,8 @@ _LARGEST_M = 0.16
 """What reaches farther from its middle than this leaves no room for others."""
 _TALL_M, _HANDS_M = 0.2, 0.2
 """What is taller than the first stands so much farther ahead: hands begin over the edge of a table."""
+_START_SPARE_M = 0.04
+"""The robot's start is somewhat ahead and turned, by what a room draws."""
 _DRAWS = 40
 _START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
 
@@ -155,7 +157,7 @@ def _placed(
         place = rooms.spot(rng, table, (), where=where)
         if place is None:
             return None
-        before_m = START_REACH_M[1] + (_HANDS_M if item.shape.height_m > _TALL_M else 0.0)
+        before_m = START_REACH_M[1] + (_HANDS_M if item.shape.height_m > _TALL_M else _START_SPARE_M)
         free = place[0] - _radius_m(item) > before_m and all(
             math.dist(place, other.world_T_object[:2, 3]) > _radius_m(item) + _radius_m(other) + _APART_M
             for other in others
@@ -168,8 +170,10 @@ def _placed(
 
 
 def _radius_m(item: SceneItem) -> float:
-    """Of the upright cylinder that holds a thing."""
+    """Of the upright cylinder that holds a thing; what sticks out of an outline counts."""
     shape = item.shape
+    if shape.parts is not None:
+        return float(np.linalg.norm(shape.parts.corners[:, :2], axis=1).max())
     return 0.5 * math.hypot(*shape.size_m[:2]) if isinstance(shape, Box) else shape.radius_m
 
 
