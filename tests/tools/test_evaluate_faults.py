@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from kinematics.geometry import poses
+from robots.models.description import load_description
 from tools.evaluate.__main__ import main
+from tools.evaluate.ailing.body_fault import struck_joint
 from tools.evaluate.faults import CLOSE, FAULTS, LIFT, REACH, VERIFY, FaultBench, FaultState
 from tools.evaluate.phases import PhaseWatch
 from tools.evaluate.scenes import TARGET, pick_scene, read_episode_scene
@@ -179,3 +181,13 @@ def test_what_is_taken_on_the_way_is_taken_whichever_skill_carries_it(carrying):
 def test_a_skill_takes_no_fault_that_cannot_come_in_it(words, capsys):
     assert main([*words, "--episodes", "1"]) == 2
     assert "takes no such fault" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("robot", ["talos", "g1", "panda"])
+def test_a_fault_strikes_a_joint_of_the_robot_that_is_there(robot):
+    description = load_description(robot)
+
+    struck = {struck_joint(description, np.random.default_rng(seed)) for seed in range(60)}
+
+    assert len(struck) > 4
+    assert struck <= {joint for joints in description.groups.values() for joint in joints}

@@ -76,5 +76,7 @@ def struck_joint(description: RobotDescription, rng: np.random.Generator) -> str
             group = name
             break
         draw -= share
-    joints = description.groups[group] or description.groups["torso"]  # one without a neck
+    # one without a neck, or without legs too
+    instead = ("torso", *(f"{hand}_arm" for hand in description.arms))
+    joints = next(filter(None, (description.groups.get(name, ()) for name in (group, *instead))))
     return joints[int(rng.integers(len(joints)))]
