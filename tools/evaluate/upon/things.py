@@ -19,7 +19,7 @@ from kinematics.geometry import poses
 from kinematics.geometry.shapes import Box
 from robots.scenes.scene_description import Furniture, RobotStart, SceneItem
 from robots.scenes.scene_file import load_scene
-from robots.scenes.scene_rules import START_REACH_M
+from robots.scenes.scene_rules import START_HALF_WIDTH_M, START_REACH_M
 from tools.evaluate.skills import rooms
 from tools.evaluate.skills.suite import SkillSuite, Trial, Verdict
 from tools.evaluate.skills.watch import Bystanders
@@ -34,8 +34,8 @@ _LARGEST_M = 0.16
 """What reaches farther from its middle than this leaves no room for others."""
 _TALL_M, _HANDS_M = 0.2, 0.2
 """What is taller than the first stands so much farther ahead: hands begin over the edge of a table."""
-_START_SPARE_M = 0.04
-"""The robot's start is somewhat ahead and turned, by what a room draws."""
+_START_M = START_REACH_M[1] + rooms.START_OFFSET_M + START_HALF_WIDTH_M * math.sin(rooms.START_YAW_RAD)
+"""How far ahead a robot is at most that begins beside its place, and turned."""
 _DRAWS = 40
 _START_OFF_M, _START_TURNED_RAD = 0.03, 0.05
 
@@ -157,7 +157,7 @@ def _placed(
         place = rooms.spot(rng, table, (), where=where)
         if place is None:
             return None
-        before_m = START_REACH_M[1] + (_HANDS_M if item.shape.height_m > _TALL_M else _START_SPARE_M)
+        before_m = _START_M + (_HANDS_M if item.shape.height_m > _TALL_M else 0.0)
         free = place[0] - _radius_m(item) > before_m and all(
             math.dist(place, other.world_T_object[:2, 3]) > _radius_m(item) + _radius_m(other) + _APART_M
             for other in others
