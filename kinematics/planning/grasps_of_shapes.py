@@ -31,7 +31,8 @@ from kinematics.scene.support_of import half_height_m
 _HALF_TURN = np.array([1.0, -1.0, -1.0])
 _ROLLED_COST = 0.3
 _BELLY_HEIGHTS = (-0.1, -0.18)
-"""Below the middle, where most bottles are of one width over the height of fingers that close on a palm."""
+"""Below the middle, where most bottles are of one width over the height of fingers that close on a palm. They
+come before those above it: on the way in a palm brushed against two slim ones near their tops; both fell."""
 _USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20), 0.6
 """As of grasps by an outline: an arm comes from its own outer side, and a little from above."""
 
@@ -39,7 +40,7 @@ _USUAL_YAW_RAD, _USUAL_TILT_RAD, _TILT_SHARE = math.radians(10), math.radians(20
 def every_height(grippers: Iterable[GripperDescription]) -> tuple[float, ...]:
     """Where hands grasp, as shares of a thing's height from its middle: the usual height first."""
     palms = any(gripper.palm_side_m is not None for gripper in grippers)
-    return (ABOVE_MIDDLE, *OTHER_HEIGHTS, *(_BELLY_HEIGHTS if palms else ()))
+    return (ABOVE_MIDDLE, *(_BELLY_HEIGHTS if palms else ()), *OTHER_HEIGHTS)
 
 
 def any_grasp_table(
