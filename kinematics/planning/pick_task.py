@@ -21,7 +21,7 @@ from kinematics.ik.gaze import gaze_joints
 from kinematics.ik.result import DEFAULT_TOLERANCE
 from kinematics.ik.solver import LINE_RESERVE_RAD, along_line
 from kinematics.model.palm_grip import LEVEL_SINE
-from kinematics.model.robot_description import Hand
+from kinematics.model.robot_description import HANDS, Hand
 from kinematics.model.robot_model import RobotModel
 from kinematics.motion.curves import Curve, PolynomialCurve
 from kinematics.planning.grasps import GraspCandidate, GraspTable, key_of
@@ -55,6 +55,7 @@ class Way:
         gaze: Head joints that look at the target.
         approach: The straight way there.
         x_pregrasp: Free coordinates where that way begins.
+        still: Whether the other arm stays as it is, instead of helping to balance.
     """
 
     candidate: GraspCandidate
@@ -62,6 +63,7 @@ class Way:
     gaze: Mapping[str, float]
     approach: Curve
     x_pregrasp: Array
+    still: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,6 +249,8 @@ class PickTask(PlanningTask):
         lifted = poses.translation(0.0, 0.0, self._request.lift_m) @ grasp.world_T_tcp
         ik = self.ik_of(grasp.hand)
         up = along_line(ik, way.q, grasp.world_T_tcp, lifted, CARTESIAN_POINTS, reserve_rad)
+        if up is not None and way.still:
+            up = self._still(up, grasp.hand)
         if up is None or not self.stays_up(up[-1]):
             return None
         return PolynomialCurve(self.looking(self.space.from_many(up), way.gaze))
@@ -254,17 +258,33 @@ class PickTask(PlanningTask):
     def _solve(self, candidate: GraspCandidate) -> Way | str:
         grasp = candidate.grasp
         ik = self.ik_of(grasp.hand)
-        _, near = self._grasp_planner(grasp.hand)
         first = ik.solve(grasp.world_T_tcp, self._seed, upright=self._upright, lowest_m=self.lowest_m)
         if not first.within(DEFAULT_TOLERANCE):
             return "no inverse kinematics at the grasp"
-        if not near.is_free(self.space.from_q(first.q)):
+        way = self._way(candidate, first.q, still=False)
+        palm = self._model.description.grippers[grasp.hand].palm_side_m is not None
+        if not palm or not isinstance(way, str):
+            return way
+        # the thumb of such a hand stands out: where the other arm helps to balance, it comes to the chest
+        again = self._way(candidate, first.q, still=True)
+        return way if isinstance(again, str) else again
+
+    def _way(self, candidate: GraspCandidate, q: Array, *, still: bool) -> Way | str:
+        """The way to a grasp that a configuration holds, shape (nq,); ``still`` as of ``Way``."""
+        grasp = candidate.grasp
+        ik = self.ik_of(grasp.hand)
+        _, near = self._grasp_planner(grasp.hand)
+        if still:
+            (q,) = self._still(q[None], grasp.hand)
+        if not near.is_free(self.space.from_q(q)):
             return "collision at the grasp"
         pregrasp = grasp.world_T_tcp @ poses.translation(-grasp.approach_m, 0.0, 0.0)
-        back = along_line(ik, first.q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
+        back = along_line(ik, q, grasp.world_T_tcp, pregrasp, CARTESIAN_POINTS)
         if back is None:
             return "no straight approach"
-        if not self.stays_up(first.q, back[-1]):
+        if still:
+            back = self._still(back, grasp.hand)
+        if not self.stays_up(q, back[-1]):
             return "too low, too far over or too heavy for the legs"
         gaze = gaze_joints(self._model, back[-1], self._target.world_T_object[:3, 3])
         points = self.looking(self.space.from_many(back[::-1]), gaze)
@@ -273,7 +293,16 @@ class PickTask(PlanningTask):
         approach = PolynomialCurve(points)
         if not near.curve_is_free(approach):
             return "approach collides"
-        return Way(candidate, first.q, gaze, approach, points[0])
+        return Way(candidate, q, gaze, approach, points[0], still)
+
+    def _still(self, q: Array, hand: Hand) -> Array:
+        """Configurations, shape (n, nq), with the other arm as it is at the start; the TCP stays put."""
+        stilled, before = q.copy(), q.shape[1] - len(self._model.joints)
+        for other in HANDS:
+            if other != hand and f"{other}_arm" in self._model.description.groups:
+                columns = before + self._model.group(f"{other}_arm")
+                stilled[:, columns] = self._request.q_start[columns]
+        return stilled
 
     def _grasp_planner(self, hand: Hand) -> tuple[PlanningScene, PathPlanner]:
         """Scene and planner in which this hand may touch the target."""
