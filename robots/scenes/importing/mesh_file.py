@@ -104,11 +104,14 @@ def _face_colors(visual: Any) -> Array:
 
 def _is_plain(visual: Any) -> bool:
     """Whether a material without a picture is all that is said."""
-    return getattr(visual, "material", None) is not None and (visual.uv is None or _image(visual) is None)
+    return getattr(visual, "material", None) is not None and _image(visual) is None
 
 
 def _image(visual: Any) -> Any:
-    material = visual.material
+    """The picture on it; None where there is none, or nothing says where on it."""
+    material = getattr(visual, "material", None)
+    if material is None or visual.uv is None:
+        return None
     return getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
 
 
@@ -127,7 +130,7 @@ def _main_color(visual: Any) -> tuple[float, float, float]:
 
 def _looks(visual: Any) -> tuple[Array | None, bytes, tuple[float, float, float]]:
     """Where each vertex is on the picture, the picture, and the colour without one."""
-    color = _main_color(visual)
-    if getattr(visual, "material", None) is None or _is_plain(visual):
+    color, image = _main_color(visual), _image(visual)
+    if image is None:
         return None, b"", color
-    return np.asarray(visual.uv, np.float64), small_png(_image(visual)), color
+    return np.asarray(visual.uv, np.float64), small_png(image), color

@@ -49,7 +49,7 @@ _COLLADA, _STL = ".dae", ".stl"
 _STL_HEAD = 84
 """Bytes of a binary STL before its triangles; the last four say how many these are, of 50 bytes each."""
 _FLAT = re.compile(r"mesh volume is too small: (\S+)")
-"""Meshes of this kind MuJoCo does not read."""
+"""What the simulator says of a drawing that is a sheet."""
 
 
 def robot_spec(robot: RobotData, *, drawn: bool = True, collides: bool = True) -> mujoco.MjSpec:
@@ -140,7 +140,7 @@ def is_unread(file: str, meshes: Path) -> bool:
     return path.stat().st_size != _STL_HEAD + 50 * triangles and head.lstrip().startswith(b"solid")
 
 
-def compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
+def compiled_spec(spec: mujoco.MjSpec) -> mujoco.MjModel:
     """The model of a spec; a drawing without a volume, a sheet or an open surface, counts as a shell.
 
     Raises:

@@ -14,7 +14,7 @@ from robots.interface.hardware import RobotData
 from robots.scenes import furniture
 from robots.scenes.moving_parts import moving_parts
 from robots.scenes.scene_description import SceneDescription
-from robots.simulated.body.body_model import ROOT_JOINT, body, compiled, pad_name, robot_spec
+from robots.simulated.body.body_model import ROOT_JOINT, body, compiled_spec, pad_name, robot_spec
 from robots.simulated.body.control_model import control_name
 from robots.simulated.body.furniture_model import FurnitureForces
 from robots.simulated.body.geom_roles import Role, in_scene, in_simulator
@@ -63,7 +63,7 @@ class Physics:
             _mount(spec, description, scene)
         add_scene(spec, scene, description)
         try:
-            self.model = compiled(spec)
+            self.model = compiled_spec(spec)
         except ValueError as refused:
             raise SceneError(scene.name, "scene", f"the simulator refuses it: {refused}") from refused
         del spec

@@ -11,6 +11,7 @@ from typing import Any
 import mujoco
 
 from robots.errors import CannotImportError
+from robots.simulated.body.body_model import compiled_spec
 from robots.simulated.importing.urdf import LEAST_INERTIA, LEAST_MASS_KG, make_readable
 
 _MOST_MENDS = 40
@@ -73,7 +74,7 @@ def compiled(file: Path) -> Compiled:
         try:
             spec = mujoco.MjSpec.from_string(ElementTree.tostring(root, "unicode"), assets=meshes)
             spec.modelfiledir = str(file.absolute().parent)
-            return Compiled(spec.compile(), tuple(mends), root.tag == "robot")
+            return Compiled(compiled_spec(spec), tuple(mends), root.tag == "robot")
         except ValueError as refused:
             mend = _mended(root, str(refused))
             if mend is None:

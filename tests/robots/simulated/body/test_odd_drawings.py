@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from robots.simulated.body.body_model import compiled, is_unread
+from robots.simulated.body.body_model import compiled_spec, is_unread
 from tests.foreign_meshes import trimesh
 
 
@@ -20,7 +20,7 @@ def test_a_drawing_without_a_volume_is_taken_as_a_shell():
     with pytest.raises(ValueError, match="volume is too small: badge"):
         spec.compile()
 
-    assert compiled(spec).nmesh == 1
+    assert compiled_spec(spec).nmesh == 1
 
 
 def test_what_the_simulator_refuses_for_another_reason_stays_refused():
@@ -28,7 +28,7 @@ def test_what_the_simulator_refuses_for_another_reason_stays_refused():
     spec.body("link").add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=(0, 0, 0))
 
     with pytest.raises(ValueError, match="axis"):
-        compiled(spec)
+        compiled_spec(spec)
 
 
 @pytest.mark.parametrize(
