@@ -139,3 +139,15 @@ def test_a_model_that_is_written_to_be_put_into_a_body_is_an_object(tmp_path):
     assert made.guesses.measured["size_m"] == pytest.approx([0.04, 0.06, 0.026], abs=1e-3)
     assert made.guesses.values["label"] == "toy brick"
     assert made.guesses.values["mass_kg"] == pytest.approx(600 * 0.04 * 0.06 * 0.02, abs=3e-3)
+
+
+def test_what_is_seen_may_be_a_sheet(tmp_path):
+    sheet = "v 0 0 .06\nv .05 0 .06\nv 0 .05 .06\nv .05 .05 .06\nf 1 2 3\nf 2 4 3\n"
+    (tmp_path / "label.obj").write_text(sheet)
+    file = tmp_path / "crate.urdf"
+    file.write_text(
+        """<robot name="crate"><link name="crate"><collision><geometry><box size=".1 .1 .1"/></geometry>
+</collision><visual><geometry><mesh filename="label.obj"/></geometry></visual></link></robot>"""
+    )
+
+    assert import_foreign_object(file).guesses.measured["parts"] == 1
